@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/scenario.hpp"
+
+namespace aneurysm
+{
+
+/// Particle spacing that the count leads to, from the volume of the tubes without their overlap [m]; within
+/// 10 % of the spacing that sampling finds.
+double estimated_spacing(const Scenario& scenario);
+
+/// Largest speed that the inlet prescribes [m/s].
+double largest_inlet_speed(const Scenario& scenario);
+
+/// Longest stable flow step (a frame over its substeps), by the estimated spacing [s].
+struct StepLimits {
+    double convective = 0; ///< the fastest particles, 2.5 v_0 in the jets of the junction, move a spacing
+    double viscous = 0;    ///< 0.125 h^2 rho_0 / mu (Morris et al. 1997)
+    double acoustic = 0;   ///< 0.4 h / sqrt(kappa), only of model `eos`; else infinite
+};
+StepLimits step_limits(const Scenario& scenario);
+
+} // namespace aneurysm
