@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace aneurysm::output
+{
+
+/// What this program was built from and how.
+struct BuildInfo {
+    const char* version;
+    const char* commit; ///< "unknown" outside a git checkout; ends in -dirty when sources differ from it
+    const char* compiler;
+    const char* flags;
+};
+
+BuildInfo build_info();
+
+} // namespace aneurysm::output

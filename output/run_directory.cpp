@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/run_directory.hpp"
+
+#include "common/error.hpp"
+#include "output/build_info.hpp"
+#include "output/frames.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+
+namespace aneurysm::output
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* manifest_name = "manifest.json";
+constexpr const char* hashes_name = "hashes.csv";
+constexpr const char* series_name = "particles.vtkhdf.series";
+constexpr std::array status_names{"running", "finished", "interrupted", "failed"};
+
+std::string now_utc()
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    gmtime_r(&now, &parts);
+    std::array<char, 32> text{};
+    const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return {text.data(), size};
+}
+
+std::string particle_file(std::int64_t frame)
+{
+    constexpr std::size_t width = 6;
+    const std::string number = std::to_string(frame);
+    return "particles/frame_" + std::string(width - std::min(width, number.size()), '0') + number + ".vtkhdf";
+}
+
+Json read_json(const fs::path& file)
+{
+    const std::vector<std::byte> bytes = read_bytes(file);
+    try {
+        return Json::parse(reinterpret_cast<const char*>(bytes.data()),                 // NOLINT
+                           reinterpret_cast<const char*>(bytes.data()) + bytes.size()); // NOLINT
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(file.string(), std::string("not as it was written (") + error.what() + ")",
+                         "needed: an undamaged run directory");
+    }
+}
+
+/// Makes the directory and its parents; it must not exist.
+fs::path make_directory(const fs::path& directory)
+{
+    const auto fail = [&directory](const std::string& reason) {
+        throw InputError(directory.string(), "output directory cannot be made (" + reason + ")",
+                         "needed: a name that doesn't exist yet, in a writable place, or --resume");
+    };
+    if (directory.empty()) {
+        fail("empty name");
+    }
+    std::error_code error;
+    if (directory.has_parent_path()) {
+        fs::create_directories(directory.parent_path(), error);
+    }
+    const bool made = !error && fs::create_directory(directory, error);
+    if (error || !made) {
+        fail(error ? error.message() : "it exists");
+    }
+    return directory;
+}
+
+void refuse_other_engine(const Json& manifest, const Engine& engine, const fs::path& file)
+{
+    const auto check = [&](const char* key, const std::string& now) {
+        const std::string then = manifest.value(key, "");
+        if (then != now) {
+            throw InputError(file.string() + ": " + key, "the run cannot go on with another (" + now + ")",
+                             "needed: " + then);
+        }
+    };
+    check("backend", engine.backend);
+    check("precision", engine.precision);
+}
+
+} // namespace
+
+fs::path RunDirectory::checkpoint_file(const fs::path& directory)
+{
+    return directory / "checkpoint.h5";
+}
+fs::path RunDirectory::frames_file(const fs::path& directory)
+{
+    return directory / "frames.csv";
+}
+
+RunDirectory::RunDirectory(fs::path directory, Scenario scenario, Engine engine, LineFile::Mode mode)
+    : directory_(std::move(directory)), scenario_(std::move(scenario)), engine_(std::move(engine)),
+      frames_(frames_file(directory_), mode), hashes_(directory_ / hashes_name, mode), started_(now_utc())
+{
+}
+
+RunDirectory RunDirectory::create(const fs::path& directory, const Scenario& scenario, const Engine& engine)
+{
+    const fs::path made = make_directory(directory);
+    try {
+        RunDirectory run(made, scenario, engine, LineFile::Mode::create);
+        run.frames_.append(frames_header());
+        run.hashes_.append(hashes_header());
+        run.write_manifest(RunStatus::running, "");
+        return run;
+    } catch (const Error&) {
+        std::error_code unused;
+        fs::remove_all(made, unused); // nothing was in it yet
+        throw;
+    }
+}
+
+RunDirectory RunDirectory::resume(const fs::path& directory, const Checkpoint& checkpoint,
+                                  const Engine& engine)
+{
+    const fs::path manifest_file = directory / manifest_name;
+    const Json manifest = read_json(manifest_file);
+    refuse_other_engine(manifest, engine, manifest_file);
+    RunDirectory run(directory, checkpoint.scenario, engine, LineFile::Mode::append);
+    const auto rows = static_cast<std::size_t>(checkpoint.state.frame);
+    run.frames_.keep(1 + rows);
+    run.hashes_.keep(1 + rows);
+    run.read_series(checkpoint.state.frame);
+    run.started_ = manifest.value("started", run.started_);
+    run.resumed_at_ = manifest.value("resumed_at_frames", run.resumed_at_);
+    run.resumed_at_.push_back(checkpoint.state.frame);
+    run.frame_ = checkpoint.state.frame;
+    run.state_hash_ = state_hash(checkpoint.state);
+    run.write_manifest(RunStatus::running, "");
+    return run;
+}
+
+void RunDirectory::append(const FrameRecord& record, const SimulationState& state)
+{
+    hashes_.append(hashes_row(state));
+    frames_.append(frames_row(record));
+    frame_ = state.frame;
+}
+
+void RunDirectory::write_particles(std::int64_t frame, const ParticleFields& fields)
+{
+    const fs::path file = directory_ / particle_file(frame);
+    std::error_code error;
+    fs::create_directories(file.parent_path(), error);
+    write_vtk(file, fields);
+    if (std::find(particle_frames_.begin(), particle_frames_.end(), frame) == particle_frames_.end()) {
+        particle_frames_.push_back(frame);
+    }
+    write_series();
+}
+
+void RunDirectory::write_checkpoint(const SimulationState& state)
+{
+    // The rows reach the disk before the checkpoint that counts on them.
+    frames_.sync();
+    hashes_.sync();
+    output::write_checkpoint(checkpoint_file(directory_), scenario_, state);
+    state_hash_ = state_hash(state);
+}
+
+void RunDirectory::close(RunStatus status, const std::string& message)
+{
+    write_manifest(status, message);
+}
+
+void RunDirectory::write_manifest(RunStatus status, const std::string& message) const
+{
+    const BuildInfo build = build_info();
+    Json json;
+    json["program"] = "aneurysm";
+    json["version"] = build.version;
+    json["commit"] = build.commit;
+    json["compiler"] = build.compiler;
+    json["flags"] = build.flags;
+    json["backend"] = engine_.backend;
+    json["precision"] = engine_.precision;
+    json["device"] = engine_.device;
+    json["started"] = started_;
+    json["written"] = now_utc();
+    json["resumed_at_frames"] = resumed_at_;
+    json["status"] = status_names.at(static_cast<std::size_t>(status));
+    json["message"] = message;
+    json["frames"] = frame_;
+    json["state_hash"] = state_hash_;
+    json["frame_hashes"] = hashes_name;
+    json["scenario_hash"] = scenario_hash(scenario_);
+    json["scenario"] = Json::parse(to_json(scenario_));
+    write_atomically(directory_ / manifest_name,
+                     json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void RunDirectory::write_series() const
+{
+    Json files = Json::array();
+    for (const std::int64_t frame : particle_frames_) {
+        files.push_back(
+            {{"name", particle_file(frame)}, {"time", static_cast<double>(frame) * scenario_.time.frame_s}});
+    }
+    const Json series{{"file-series-version", "1.0"}, {"files", files}};
+    write_atomically(directory_ / series_name, series.dump(2) + "\n");
+}
+
+/// Finds the particle files up to a frame again and removes the later ones.
+void RunDirectory::read_series(std::int64_t last_frame)
+{
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(directory_ / "particles", error)) {
+        const std::string stem = entry.path().stem().string();
+        const std::int64_t frame = stem.starts_with("frame_") ? std::atoll(stem.c_str() + 6) : -1;
+        if (frame < 0 || entry.path().filename() != fs::path(particle_file(frame)).filename()) {
+            continue;
+        }
+        if (frame <= last_frame) {
+            particle_frames_.push_back(frame);
+        } else {
+            fs::remove(entry.path(), error);
+        }
+    }
+    std::sort(particle_frames_.begin(), particle_frames_.end());
+    if (!particle_frames_.empty()) {
+        write_series();
+    }
+}
+
+} // namespace aneurysm::output

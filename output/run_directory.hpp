@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "output/checkpoint.hpp"
+#include "output/file.hpp"
+#include "output/vtk.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace aneurysm::output
+{
+
+/// Who computes.
+struct Engine {
+    std::string backend;   ///< reference, cpu, cuda
+    std::string precision; ///< double, float
+    std::string device;    ///< in words
+};
+
+enum class RunStatus { running, finished, interrupted, failed };
+
+/// The directory that a run leaves:
+///
+///     manifest.json            what ran, with which program and scenario, and how it ended
+///     frames.csv               one row a frame
+///     hashes.csv               a hash of each field, one row a frame
+///     checkpoint.h5            the last good state
+///     particles/frame_*.vtkhdf for ParaView; particles.vtkhdf.series opens them with their times
+///
+/// Every file is written in one step or grows by whole lines, so a killed run leaves nothing broken.
+class RunDirectory
+{
+public:
+    /// \throws InputError when the directory exists or cannot be made
+    static RunDirectory create(const std::filesystem::path& directory, const Scenario& scenario,
+                               const Engine& engine);
+
+    /// Goes back to the checkpoint: later rows and particle files are dropped.
+    /// \throws InputError when the directory, its engine or the checkpoint don't fit
+    static RunDirectory resume(const std::filesystem::path& directory, const Checkpoint& checkpoint,
+                               const Engine& engine);
+
+    static std::filesystem::path checkpoint_file(const std::filesystem::path& directory);
+    static std::filesystem::path frames_file(const std::filesystem::path& directory);
+
+    /// A row of frames.csv and of hashes.csv; `state` is that after the frame.
+    void append(const FrameRecord& record, const SimulationState& state);
+    void write_particles(std::int64_t frame, const ParticleFields& fields);
+    void write_checkpoint(const SimulationState& state);
+    /// How the run ended; `message` says why when it didn't finish.
+    void close(RunStatus status, const std::string& message);
+
+private:
+    RunDirectory(std::filesystem::path directory, Scenario scenario, Engine engine, LineFile::Mode mode);
+
+    void write_manifest(RunStatus status, const std::string& message) const;
+    void write_series() const;
+    void read_series(std::int64_t last_frame);
+
+    std::filesystem::path directory_;
+    Scenario scenario_;
+    Engine engine_;
+    LineFile frames_;
+    LineFile hashes_;
+    std::string started_;
+    std::vector<std::int64_t> resumed_at_; ///< frames
+    std::vector<std::int64_t> particle_frames_;
+    std::int64_t frame_ = 0;
+    std::string state_hash_; ///< of the last checkpoint
+};
+
+} // namespace aneurysm::output
