@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every equation of the table has its one reference function, an oracle and a test.
+
+Reads common/equations.hpp and looks for
+  - `Eq. (N)` at the start of the doc comment of the row's function, once under reference/, and that function's body;
+  - `Eq. (N)` in a doc comment under analytic/;
+  - a test case `eqNN_...` under tests/.
+"""
+import re
+
+import guard
+
+ROW = re.compile(r'\{"(\w+)",\s*"([\d.]+)",\s*"([^"]*)",\s*"(\w+)",\s*Status::')
+DOCUMENTED = re.compile(r"((?:^[ \t]*///.*\n)+)([^;{]*)", re.MULTILINE)
+HEAD = re.compile(r"\s*///\s*Eq\. \((\w+)\)")
+MENTION = re.compile(r"^\s*///.*", re.MULTILINE)
+TEST = re.compile(r"BOOST_\w*TEST_CASE\w*\(\s*eq(\w+?)_")
+
+
+def text_of(root, room):
+    return "\n".join(file.read_text(encoding="utf-8") for file in guard.sources(root, room))
+
+
+def documented_functions(text):
+    """Pairs of equation and function, of each doc comment that starts with an equation."""
+    for comment, declaration in DOCUMENTED.findall(text):
+        head = HEAD.match(comment)
+        name = re.search(r"(\w+)\s*\(", declaration)
+        if head and name:
+            yield head.group(1), name.group(1)
+
+
+def check(root):
+    rows = ROW.findall((root / "common/equations.hpp").read_text(encoding="utf-8"))
+    findings = []
+    if sorted(row[0] for row in rows) != sorted([str(n) for n in range(1, 29)] + ["EOS"]):
+        findings.append("common/equations.hpp: not exactly one row for each of (1)-(28) and EOS")
+    reference = text_of(root, "reference")
+    functions = list(documented_functions(reference))
+    oracles = "\n".join(MENTION.findall(text_of(root, "analytic")))
+    tests = set(TEST.findall(text_of(root, "tests")))
+    for number, _, title, function in rows:
+        where = f"Eq. ({number}), {title}"
+        documented = [name for equation, name in functions if equation == number]
+        if documented != [function]:
+            findings.append(f"{where}: documented at {documented} in reference/, not once at {function!r}")
+        if not re.search(rf"\b{function}\s*\([^;{{]*\{{", reference):
+            findings.append(f"{where}: {function!r} has no body in reference/")
+        if f"Eq. ({number})" not in oracles:
+            findings.append(f"{where}: no oracle in analytic/ says Eq. ({number})")
+        if (number if number == "EOS" else f"{int(number):02}") not in tests:
+            findings.append(f"{where}: no test case eq{number:>02}_... in tests/")
+    return findings
+
+
+FAULTS = [
+    ("reference/growth.hpp", "/// Eq. (21)", "/// Equation 21", "Eq. (21)"),
+    ("reference/growth.hpp", "radius_increment", "radius_growth", "Eq. (21)"),
+    ("reference/growth.hpp", "/// Eq. (18)", "/// Eq. (17)", "Eq. (17)"),
+    ("analytic/boundary.hpp", "Eq. (26)", "the outlet's pressure", "Eq. (26)"),
+    ("tests/test_growth.cpp", "(eq23_", "(thinning_", "Eq. (23)"),
+    ("common/equations.hpp", '{"EOS", ', '{"29", ', "EOS"),
+]
+
+if __name__ == "__main__":
+    guard.main(check, FAULTS)
