@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program `aneurysm`.
+#include "common/error.hpp"
+#include "output/build_info.hpp"
+#include "verification/info.hpp"
+#include "verification/run.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+namespace
+{
+
+using namespace aneurysm;
+using verification::RunOptions;
+
+struct InfoOptions {
+    std::string scenario;
+    bool schema = false;
+};
+
+constexpr int bad_input = 2;
+
+CLI::App* add_run(CLI::App& app, RunOptions& options)
+{
+    CLI::App* run = app.add_subcommand("run", "Simulate a scenario");
+    run->add_option("SCENARIO", options.scenario, "scenario file; with --resume it may be left out");
+    run->add_option("--out", options.out,
+                    "directory for the results; must not exist (default: results/NAME)");
+    run->add_option("--backend", options.backend, "who computes: reference")->capture_default_str();
+    run->add_option("--precision", options.precision, "double")->capture_default_str();
+    run->add_option("--frames", options.frames, "run up to this frame instead of the scenario's last");
+    run->add_flag("--resume", options.resume, "go on from the checkpoint in --out, to the same bits");
+    run->footer("Examples:\n"
+                "  aneurysm run data/scenarios/quick.json --out results/quick\n"
+                "  aneurysm run --resume --out results/quick\n"
+                "Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted (a checkpoint was written).");
+    return run;
+}
+
+CLI::App* add_info(CLI::App& app, InfoOptions& options)
+{
+    CLI::App* info =
+        app.add_subcommand("info", "Show version and equations, or what follows from a scenario");
+    info->add_option("SCENARIO", options.scenario, "scenario file");
+    info->add_flag("--schema", options.schema, "print the JSON Schema of scenario files");
+    info->footer("Examples:\n"
+                 "  aneurysm info\n"
+                 "  aneurysm info data/scenarios/paper_tc1.json");
+    return info;
+}
+
+void show(const InfoOptions& options)
+{
+    if (options.schema) {
+        std::cout << scenario_schema();
+    } else if (options.scenario.empty()) {
+        std::cout << verification::program_info()
+                  << "Equations of the paper: number, section, status, title\n"
+                  << verification::equation_table();
+    } else {
+        std::cout << verification::scenario_info(read_scenario(options.scenario));
+    }
+}
+
+int parse_and_run(int argc, char** argv)
+{
+    CLI::App app("Aneurysms by smoothed particle hydrodynamics: flow, growth and rupture.", "aneurysm");
+    app.set_version_flag("--version", std::string("aneurysm ") + output::build_info().version);
+    app.require_subcommand(1);
+    app.footer("Example:\n  aneurysm run data/scenarios/quick.json --out results/quick\n"
+               "aneurysm SUBCOMMAND --help says more.");
+    RunOptions run_options;
+    InfoOptions info_options;
+    const CLI::App* run = add_run(app, run_options);
+    add_info(app, info_options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            return app.exit(error); // --help, --version
+        }
+        throw InputError("command line", error.what(), "see aneurysm --help");
+    }
+    if (run->parsed()) {
+        return verification::run(run_options);
+    }
+    show(info_options);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return parse_and_run(argc, argv);
+    } catch (const InputError& error) {
+        std::cerr << "aneurysm: " << error.what() << "\n";
+        return bad_input;
+    } catch (const std::exception& error) {
+        std::cerr << "aneurysm: " << error.what() << "\n";
+        return 1;
+    }
+}
