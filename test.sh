@@ -1,0 +1,34 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Installs what is missing, builds, and runs all tests: release, then the unit tests under the sanitizers, then the
+# style. With --tidy also clang-tidy over all sources (minutes).
+set -eu
+cd "$(dirname "$0")"
+
+tidy=no
+case "${1-}" in
+'') ;;
+--tidy) tidy=yes ;;
+*)
+    echo "usage: ./test.sh [--tidy]" >&2
+    exit 2
+    ;;
+esac
+
+cmake/install_dependencies.sh cmake/dependencies cmake/dependencies-test
+for preset in release sanitize; do
+    echo "== $preset"
+    cmake --preset $preset --log-level=WARNING
+    cmake --build --preset $preset -- --quiet
+    case $preset in
+    release) ctest --preset $preset ;;
+    sanitize) ctest --preset $preset --label-exclude long ;;
+    esac
+done
+
+echo "== style"
+git ls-files '*.cpp' '*.hpp' | xargs clang-format-14 --dry-run -Werror
+if [ $tidy = yes ]; then
+    git ls-files '*.cpp' | xargs -n 1 -P "$(nproc)" clang-tidy-14 --quiet -p build/release
+fi
+echo "All tests passed."
