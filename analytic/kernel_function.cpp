@@ -19,11 +19,6 @@ double positive_part(double x)
 /// Coefficients of q^0 .. q^5 of Wendland's C2 kernel, 1 at q = 0.
 constexpr std::array<double, 6> wendland{1, 0, -5.0 / 2, 5.0 / 2, -15.0 / 16, 1.0 / 8};
 
-double wendland_scale(double h)
-{
-    return 21 / (16 * pi) / std::pow(h, 3);
-}
-
 /// int_0^2 q^(n + 2) w dq of the kernel's shape w, exact up to rounding.
 double shape_moment(KernelName name, int n)
 {
@@ -88,29 +83,21 @@ double wendland_transform(double x)
 double kernel(KernelName name, double h, double r)
 {
     const double q = r / h;
+    const double s = positive_part(2 - q);
     if (name == KernelName::cubic_spline) {
-        return (std::pow(positive_part(2 - q), 3) - 4 * std::pow(positive_part(1 - q), 3)) /
-               (4 * pi * std::pow(h, 3));
+        return (std::pow(s, 3) - 4 * std::pow(positive_part(1 - q), 3)) / (4 * pi * std::pow(h, 3));
     }
-    double sum = 0;
-    for (std::size_t j = 0; j < wendland.size(); ++j) {
-        sum += wendland[j] * std::pow(q, static_cast<double>(j));
-    }
-    return q < 2 ? wendland_scale(h) * sum : 0;
+    return shape_scale(name) * (5 * std::pow(s, 4) / 16 - std::pow(s, 5) / 8) / std::pow(h, 3);
 }
 
 double kernel_slope(KernelName name, double h, double r)
 {
     const double q = r / h;
+    const double s = positive_part(2 - q);
     if (name == KernelName::cubic_spline) {
-        return -3 * (std::pow(positive_part(2 - q), 2) - 4 * std::pow(positive_part(1 - q), 2)) /
-               (4 * pi * std::pow(h, 4));
+        return -3 * (s * s - 4 * std::pow(positive_part(1 - q), 2)) / (4 * pi * std::pow(h, 4));
     }
-    double sum = 0;
-    for (std::size_t j = 1; j < wendland.size(); ++j) {
-        sum += static_cast<double>(j) * wendland[j] * std::pow(q, static_cast<double>(j) - 1);
-    }
-    return q < 2 ? wendland_scale(h) / h * sum : 0;
+    return -shape_scale(name) * (5 * std::pow(s, 3) / 4 - 5 * std::pow(s, 4) / 8) / std::pow(h, 4);
 }
 
 double viscosity_kernel_laplacian(double H, double r)

@@ -14,11 +14,12 @@ namespace aneurysm::analytic
 /// A radial function of r [m].
 using Radial = std::function<double(double)>;
 
-/// W(r) of Eq. (4) [1/m^3]; rounding error at most gamma_16 of the value at 0 times 3 for the cubic spline
-/// and 8 for Wendland's (the sum of the terms' magnitudes).
+/// W(r) of Eq. (4) [1/m^3], by powers of the distance from the support's end, s = (2 - q)_+, q = r/h:
 ///
-///     cubic spline   W = [ (2 - q)_+^3 - 4 (1 - q)_+^3 ] / (4 pi h^3)
-///     Wendland C2    W = 21/(16 pi h^3) ( 1 - 5/2 q^2 + 5/2 q^3 - 15/16 q^4 + 1/8 q^5 )
+///     cubic spline   W = [ s^3 - 4 (1 - q)_+^3 ] / (4 pi h^3)
+///     Wendland C2    W = 21/(16 pi h^3) ( 5/16 s^4 - 1/8 s^5 )
+///
+/// The sum of the terms' magnitudes is at most 9 W(0); 16 roundings.
 double kernel(KernelName name, double h, double r);
 
 /// dW/dr [1/m^4], term by term from the forms above.

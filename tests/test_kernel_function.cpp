@@ -28,11 +28,10 @@ std::vector<double> radii()
     return r;
 }
 
-/// Sum of the magnitudes of the terms that either text of W adds up: 8 + 4 over 4 for the spline's truncated
-/// powers; 1 + 10 + 20 + 15 + 4 at q = 2 for Wendland's expanded polynomial.
+/// Sum of the magnitudes of the terms that either text of W adds up, for rounding bounds.
 double magnitude(KernelName name)
 {
-    return (name == KernelName::cubic_spline ? 3 : 50) * analytic::kernel(name, h, 0);
+    return 9 * analytic::kernel(name, h, 0);
 }
 
 } // namespace
