@@ -44,7 +44,7 @@ void visit_aneurysm(A& aneurysm, Visitor&& v)
     v("rupture_frame", aneurysm.rupture_frame);
 }
 
-static_assert(sizeof(FrameRecord) == 28 * 8 + sizeof(Ledger));
+static_assert(sizeof(FrameRecord) == 29 * 8 + sizeof(Ledger));
 template <class Record, class Visitor>
 void visit_record(Record& r, Visitor&& v)
 {
@@ -65,6 +65,7 @@ void visit_record(Record& r, Visitor&& v)
     v("density_error_mean", r.density_error_mean);
     v("density_error_max", r.density_error_max);
     v("density_error_min", r.density_error_min);
+    v("density_error_max_ends", r.density_error_max_ends);
     v("divergence_mean_per_s", r.divergence_mean);
     v("divergence_max_per_s", r.divergence_max);
     v("residual_mean_per_s", r.residual_mean);

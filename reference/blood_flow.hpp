@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Section 3.1: blood flow by smoothed particle hydrodynamics, (1), (2), (4)-(7), (15) and the equation of
+// state. Sums run over the neighbours j of body i, which include i itself; `Sum` is double / Vec3, or
+// BoundedSum / BoundedVectorSum of reference/sum.hpp for the rounding bound.
+#pragma once
+
+#include "reference/neighbors.hpp"
+#include "reference/sum.hpp"
+
+#include <span>
+
+namespace aneurysm::reference
+{
+
+/// Eq. (1)  The forces on a unit volume of blood, rho Dv/Dt = rho g + mu lap v - grad p:
+///
+///     F = rho g + F^viscosity + F^pressure                                                    [N/m^3]
+inline Vec3 momentum_force(double rho, const Vec3& g, const Vec3& F_viscosity, const Vec3& F_pressure)
+{
+    return rho * g + F_viscosity + F_pressure;
+}
+
+/// Eq. (2)  Drho/Dt = -rho div v, as the time derivative of (5):
+///
+///     Drho_i/Dt = sum_j m_j (v_i - v_j) . grad W_ij                                           [kg/(m^3 s)]
+template <class Sum = double>
+Sum density_rate(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const Vec3> v, std::size_t i)
+{
+    Sum rate{};
+    for (const Neighbor& n : neighbors) {
+        rate += b.mass[n.j] * dot(v[i] - v[n.j], n.grad_W);
+    }
+    return rate;
+}
+
+/// Eq. (4)  A field at any point r from its values A_j at the bodies:
+///
+///     A(r) = sum_j A_j m_j / rho_j W(r - r_j, h)                                              [A]
+template <class Sum = double>
+Sum interpolate(const Bodies& b, std::span<const double> rho, std::span<const double> A, const Kernel& W,
+                const Vec3& r)
+{
+    Sum value{};
+    for (std::size_t j = 0; j < b.size(); ++j) {
+        if (b.role[j] != Role::absent) {
+            value += A[j] * b.mass[j] / rho[j] * W.value(length(r - b.position[j]));
+        }
+    }
+    return value;
+}
+
+/// Eq. (5)  Density by summation:
+///
+///     rho_i = sum_j m_j W_ij                                                                  [kg/m^3]
+template <class Sum = double>
+Sum density(const Bodies& b, std::span<const Neighbor> neighbors)
+{
+    Sum rho{};
+    for (const Neighbor& n : neighbors) {
+        rho += b.mass[n.j] * n.W;
+    }
+    return rho;
+}
+
+/// Eq. (EOS)  Equation of state:
+///
+///     p_i = kappa (rho_i - rho_0)                                                             [Pa]
+inline double equation_of_state(double kappa, double rho, double rho_0)
+{
+    return kappa * (rho - rho_0);
+}
+
+/// Eq. (6)  Pressure force, literally:
+///
+///     F_i^pressure = -sum_j m_j (p_i + p_j) / (2 rho_j) grad W_ij                             [N/m^3]
+///
+/// A mirror ghost has its neighbour's pressure p_i. The printed mean makes this half of -grad p.
+template <class Sum = Vec3>
+Sum pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
+                   std::span<const double> p, std::size_t i)
+{
+    Sum force{};
+    for (const Neighbor& n : neighbors) {
+        const double p_j = b.role[n.j] == Role::mirror ? p[i] : p[n.j];
+        force += -b.mass[n.j] * (p[i] + p_j) / (2 * rho[n.j]) * n.grad_W;
+    }
+    return force;
+}
+
+/// Eq. (7)  Viscosity force:
+///
+///     F_i^viscosity = mu sum_j m_j (v_j - v_i) / rho_j lap W_ij                               [N/m^3]
+template <class Sum = Vec3>
+Sum viscosity_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
+                    double mu, std::size_t i)
+{
+    Sum force{};
+    for (const Neighbor& n : neighbors) {
+        force += mu * b.mass[n.j] / rho[n.j] * n.lap_W * (b.velocity[n.j] - b.velocity[i]);
+    }
+    return force;
+}
+
+/// Eq. (15)  Acceleration of a particle by the force (1):
+///
+///     a_i = (rho_i g + F_i^pressure + F_i^viscosity) / rho_i                                  [m/s^2]
+inline Vec3 acceleration(double rho, const Vec3& force)
+{
+    return force / rho;
+}
+
+} // namespace aneurysm::reference

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/flow.hpp"
+
+#include "common/error.hpp"
+#include "reference/boundary.hpp"
+#include "reference/rupture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace aneurysm::reference
+{
+namespace
+{
+
+Role role_of(Kind kind)
+{
+    switch (kind) {
+    case Kind::fluid:
+    case Kind::escaped:
+        return Role::free;
+    case Kind::inlet:
+        return Role::mirror;
+    case Kind::outlet_1:
+    case Kind::outlet_2:
+        return Role::outlet;
+    case Kind::reserve:
+        break;
+    }
+    return Role::absent;
+}
+
+std::string place(const SimulationState& state, std::size_t particle)
+{
+    return "frame " + std::to_string(state.frame + 1) + ", particle " + std::to_string(particle);
+}
+
+} // namespace
+
+/// What one flow step computes on the way.
+struct Flow::Step {
+    Bodies bodies; ///< velocity: before the blood's own pressure acts
+    Neighbors neighbors;
+    std::vector<double> rho;       ///< by body, (5)
+    std::vector<Vec3> F_viscosity; ///< by particle, (7)
+    std::vector<Vec3> F_pressure;  ///< by particle
+    std::vector<Vec3> velocity;    ///< by particle, at the end of the step
+};
+
+Flow::Flow(const Scenario& scenario, const Vessel& vessel, double dx, std::array<std::vector<Vec3>, 3> slabs)
+    : scenario_(&scenario), vessel_(&vessel), dx_(dx),
+      dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)),
+      kernel_(scenario.kernel.function, scenario.kernel.smoothing_length_spacings * dx),
+      mass_(scenario.fluid.density_kg_m3 / lattice_kernel_sum(kernel_, dx)),
+      controller_(vessel, dx, std::move(slabs)), solver_{scenario.fluid.density_kg_m3,
+                                                         scenario.pressure.relaxation,
+                                                         scenario.pressure.density_correction,
+                                                         scenario.pressure.tolerance_per_s,
+                                                         scenario.pressure.max_tolerance_per_s,
+                                                         scenario.pressure.max_iterations},
+      density_(static_cast<std::size_t>(scenario.particles.count), scenario.fluid.density_kg_m3)
+{
+    check_stability();
+}
+
+/// Explicit steps: blood at 2.5 v_0, about the fastest of a run, moves at most dx/2; momentum diffuses at
+/// most 0.125 h^2 (Morris et al. 1997); sound of the equation of state passes at most h/4. And omega is below
+/// its limit.
+void Flow::check_stability() const
+{
+    constexpr double fastest = 2.5;
+    const Scenario& s = *scenario_;
+    const double h = kernel_.smoothing_length();
+    double limit = std::min(0.5 * dx_ / (fastest * s.inlet.peak_velocity_m_s),
+                            0.125 * h * h * s.fluid.density_kg_m3 / s.fluid.viscosity_pa_s);
+    if (s.pressure.model == PressureModel::eos) {
+        limit = std::min(limit, 0.25 * h / std::sqrt(s.pressure.stiffness_m2_s2));
+    }
+    if (dt_ > limit) {
+        throw InputError("time.substeps",
+                         std::to_string(s.time.substeps) + " makes a step of " + std::to_string(dt_) +
+                             " s, above the stability limit of " + std::to_string(limit) + " s",
+                         "needed: at least " +
+                             std::to_string(static_cast<int>(std::ceil(s.time.frame_s / limit))));
+    }
+    const double omega = relaxation_limit(s.kernel.function, s.kernel.smoothing_length_spacings);
+    if (s.pressure.model == PressureModel::dfsph && s.pressure.relaxation >= omega) {
+        throw InputError("pressure.relaxation", std::to_string(s.pressure.relaxation) + " is not stable",
+                         "allowed: below " + std::to_string(omega) +
+                             ", the limit of this kernel on a full lattice");
+    }
+}
+
+void Flow::step(SimulationState& state, const Wall& wall, double t, FrameRecord& record)
+{
+    Particles& p = state.particles;
+    drive_openings(state, t, record);
+    Step step = make_step(state, wall);
+    apply_forces(step, state);
+    solve_pressure(step, state, record);
+    move(step, state);
+    record_flow(step, p, record);
+    record_impact(step, p, wall, record);
+    controller_.push_as_piston(p, record.inlet_velocity);
+    for (const std::size_t k : {1U, 2U}) {
+        if (state.outlet_velocity[k - 1] < 0) {
+            controller_.hold_back(p, k);
+        }
+    }
+    handle_collisions(state, wall, record);
+    controller_.exchange(p, state.ledger);
+    density_.assign(step.rho.begin(), step.rho.begin() + static_cast<std::ptrdiff_t>(p.size()));
+}
+
+double Flow::inlet_velocity_at(double t) const
+{
+    const auto& inlet = scenario_->inlet;
+    return inlet_velocity(inlet.waveform, inlet.peak_velocity_m_s, inlet.cycle_s, t, inlet.table_time_s,
+                          inlet.table_velocity_m_s);
+}
+
+void Flow::drive_openings(SimulationState& state, double t, FrameRecord& record) const
+{
+    Particles& p = state.particles;
+    const double rho_0 = scenario_->fluid.density_kg_m3;
+    record.inlet_velocity = inlet_velocity_at(t);
+    if (record.inlet_velocity >= 0 && inlet_velocity_at(t - dt_) < 0) {
+        controller_.reset(p, 0, state.ledger);
+    }
+    controller_.drive_inlet(p, record.inlet_velocity);
+    for (const std::size_t k : {1U, 2U}) {
+        double& v = state.outlet_velocity[k - 1];
+        const double previous = v;
+        v = controller_.outlet_velocity(
+            p, k, previous, outlet_pressure(scenario_->outlet.pressure_pa, rho_0, previous), rho_0, dt_);
+        if (v < 0 && previous >= 0) {
+            controller_.reset(p, k, state.ledger);
+        }
+        controller_.drive_outlet(p, k, v, previous);
+    }
+    record.outlet_velocity = 0.5 * (state.outlet_velocity[0] + state.outlet_velocity[1]);
+}
+
+Flow::Step Flow::make_step(const SimulationState& state, const Wall& wall) const
+{
+    const Particles& p = state.particles;
+    Bodies b{p.position, p.velocity, std::vector<double>(p.size(), p.mass), {}};
+    std::ranges::transform(p.kind, std::back_inserter(b.role), role_of);
+    b.position.insert(b.position.end(), wall.ghosts.position.begin(), wall.ghosts.position.end());
+    b.velocity.resize(b.size(), wall_velocity());
+    b.mass.insert(b.mass.end(), wall.ghosts.mass.begin(), wall.ghosts.mass.end());
+    b.role.resize(b.size(), Role::mirror);
+    Neighbors neighbors(b, kernel_);
+    Step step{std::move(b), std::move(neighbors), {}, {}, {}, p.velocity};
+    step.rho.assign(step.bodies.size(), scenario_->fluid.density_kg_m3);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (step.bodies.free(i)) {
+            step.rho[i] = reference::density(step.bodies, step.neighbors.of(i));
+            if (!(step.rho[i] < scenario_->pressure.blow_up_density_ratio * scenario_->fluid.density_kg_m3)) {
+                throw SimulationError(place(state, i),
+                                      "density " + std::to_string(step.rho[i]) + " kg/m^3: the run blew up",
+                                      "more time.substeps, or a stiffer pressure model");
+            }
+        }
+    }
+    return step;
+}
+
+/// Viscosity (7), gravity and, in model dfsph, the outlets' pressure (26): all but the blood's own pressure.
+/// In model eos the outlets' ghosts take part in (6) with their pressure.
+void Flow::apply_forces(Step& step, const SimulationState& state) const
+{
+    Bodies& b = step.bodies;
+    const Particles& p = state.particles;
+    const double rho_0 = scenario_->fluid.density_kg_m3;
+    step.F_viscosity.assign(p.size(), {});
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (!b.free(i)) {
+            continue;
+        }
+        step.F_viscosity[i] =
+            viscosity_force(b, step.neighbors.of(i), step.rho, scenario_->fluid.viscosity_pa_s, i);
+        Vec3 F_outlet;
+        for (const Neighbor& n : step.neighbors.of(i)) {
+            if (scenario_->pressure.model == PressureModel::dfsph && b.role[n.j] == Role::outlet) {
+                const double v = state.outlet_velocity[p.kind[n.j] == Kind::outlet_1 ? 0 : 1];
+                F_outlet += outlet_pressure_force(
+                    b.mass[n.j], rho_0, outlet_pressure(scenario_->outlet.pressure_pa, rho_0, v), n.grad_W);
+            }
+        }
+        const Vec3 force =
+            momentum_force(step.rho[i], scenario_->fluid.gravity_m_s2, step.F_viscosity[i], F_outlet);
+        step.velocity[i] = b.velocity[i] + dt_ * acceleration(step.rho[i], force);
+    }
+    std::ranges::copy(step.velocity, b.velocity.begin());
+}
+
+/// The blood's own pressure, by (3) or by the equation of state with (6); it changes the velocity.
+void Flow::solve_pressure(Step& step, SimulationState& state, FrameRecord& record) const
+{
+    Particles& p = state.particles;
+    const Bodies& b = step.bodies;
+    std::vector<double> pressure(b.size(), 0);
+    std::vector<Vec3> a(b.size());
+    const IncompressibleReport report = scenario_->pressure.model == PressureModel::dfsph
+                                            ? solve_dfsph(step, p, pressure, a)
+                                            : solve_eos(step, state, pressure, a);
+    step.F_pressure.assign(p.size(), {});
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (b.free(i)) {
+            step.F_pressure[i] = step.rho[i] * a[i];
+            step.velocity[i] = b.velocity[i] + dt_ * a[i];
+            p.pressure[i] = pressure[i];
+        }
+    }
+    record.iterations += report.iterations;
+    record.residual_mean = report.residual_mean;
+    record.residual_max = report.residual_max;
+    record.divergence_mean = report.divergence_mean;
+    record.divergence_max = report.divergence_max;
+}
+
+/// From the last step's pressures; a particle that has none starts from its neighbours' mean.
+IncompressibleReport Flow::solve_dfsph(const Step& step, const Particles& p, std::vector<double>& pressure,
+                                       std::vector<Vec3>& a) const
+{
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        pressure[i] = p.pressure[i];
+        if (step.bodies.free(i) && p.pressure[i] < 0) {
+            double sum = 0;
+            double count = 0;
+            for (const Neighbor& n : step.neighbors.of(i)) {
+                if (step.bodies.free(n.j) && p.pressure[n.j] >= 0) {
+                    sum += p.pressure[n.j];
+                    ++count;
+                }
+            }
+            pressure[i] = count > 0 ? sum / count : 0;
+        }
+    }
+    return solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, solver_, pressure, a);
+}
+
+IncompressibleReport Flow::solve_eos(const Step& step, const SimulationState& state,
+                                     std::vector<double>& pressure, std::vector<Vec3>& a) const
+{
+    const Bodies& b = step.bodies;
+    const double rho_0 = scenario_->fluid.density_kg_m3;
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        pressure[i] = equation_of_state(scenario_->pressure.stiffness_m2_s2, step.rho[i], rho_0);
+        if (b.role[i] == Role::outlet) {
+            const double v = state.outlet_velocity[state.particles.kind[i] == Kind::outlet_1 ? 0 : 1];
+            pressure[i] = outlet_pressure(scenario_->outlet.pressure_pa, rho_0, v);
+        }
+    }
+    std::vector<Vec3> v = b.velocity;
+    for (std::size_t i = 0; i < state.particles.size(); ++i) {
+        if (b.free(i)) {
+            a[i] = acceleration(step.rho[i], pressure_force(b, step.neighbors.of(i), step.rho, pressure, i));
+            v[i] += dt_ * a[i];
+        }
+    }
+    return divergence_report(b, step.neighbors, v, rho_0);
+}
+
+void Flow::move(const Step& step, SimulationState& state) const
+{
+    Particles& p = state.particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] == Kind::reserve) {
+            continue;
+        }
+        const Vec3 way = dt_ * step.velocity[i];
+        if (!(length(way) < kernel_.support())) { // NaN too
+            throw SimulationError(place(state, i),
+                                  "it moves by " + std::to_string(length(way)) +
+                                      " m in one step, more than it can see: the run blew up",
+                                  "more time.substeps, or a stiffer pressure model");
+        }
+        p.velocity[i] = step.velocity[i];
+        p.position[i] += way;
+    }
+}
+
+void Flow::record_flow(const Step& step, const Particles& p, FrameRecord& record) const
+{
+    double excess = 0;
+    std::int64_t count = 0;
+    record.kinetic_energy = 0;
+    record.density_error_max = -1;
+    record.density_error_max_ends = -1;
+    record.density_error_min = scenario_->pressure.blow_up_density_ratio;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] != Kind::fluid) {
+            continue;
+        }
+        const Vec3& x = step.bodies.position[i];
+        const double error = step.rho[i] / scenario_->fluid.density_kg_m3 - 1;
+        excess += std::max(error, 0.0);
+        if (vessel_->openings()[vessel_->nearest_tube(x)].beyond(x) > -scenario_->vessel.radius_m) {
+            record.density_error_max_ends = std::max(record.density_error_max_ends, error);
+        } else {
+            record.density_error_max = std::max(record.density_error_max, error);
+            record.density_error_min = std::min(record.density_error_min, error);
+        }
+        const double speed = length(p.velocity[i]);
+        record.kinetic_energy += 0.5 * p.mass * speed * speed;
+        record.speed_max = std::max(record.speed_max, speed);
+        ++count;
+    }
+    record.density_error_mean = excess / static_cast<double>(std::max<std::int64_t>(count, 1));
+}
+
+/// S of (16): blood beyond the sac's wall, or within the impact band before it, that has not been put back
+/// yet.
+std::vector<std::int64_t> Flow::impacting(const Particles& p, const Wall& wall) const
+{
+    const double band = scenario_->rupture.impact_band_spacings * dx_;
+    std::vector<std::int64_t> S;
+    for (std::size_t i = 0; vessel_->has_sac() && i < p.size(); ++i) {
+        const Vec3& x = p.position[i];
+        if (p.kind[i] == Kind::fluid && vessel_->sac(x, wall.radius).value < vessel_->tubes(x).value &&
+            vessel_->wall(x, wall.radius).value > -band) {
+            S.push_back(static_cast<std::int64_t>(i));
+        }
+    }
+    return S;
+}
+
+/// F_b of (16), with the pressure that drives the flow and, as a diagnostic, with (6) and the equation of
+/// state.
+void Flow::record_impact(const Step& step, const Particles& p, const Wall& wall, FrameRecord& record) const
+{
+    const std::vector<std::int64_t> S = impacting(p, wall);
+    record.impact_count = static_cast<std::int64_t>(S.size());
+    std::vector<double> p_eos(S.empty() ? 0 : step.bodies.size());
+    for (std::size_t j = 0; j < p_eos.size(); ++j) {
+        p_eos[j] = equation_of_state(scenario_->pressure.stiffness_m2_s2, step.rho[j],
+                                     scenario_->fluid.density_kg_m3);
+    }
+    std::vector<Vec3> force(p.size());
+    std::vector<Vec3> force_eos(p.size());
+    const Vec3& g = scenario_->fluid.gravity_m_s2;
+    for (const std::int64_t member : S) {
+        const auto i = static_cast<std::size_t>(member);
+        const Vec3 F_eos = pressure_force(step.bodies, step.neighbors.of(i), step.rho, p_eos, i);
+        force[i] = momentum_force(step.rho[i], g, step.F_viscosity[i], step.F_pressure[i]);
+        force_eos[i] = momentum_force(step.rho[i], g, step.F_viscosity[i], F_eos);
+    }
+    const Impact impact = impact_force(S, p.mass, step.rho, force);
+    if (record.impact_particle < 0 || impact.force > record.impact_force) {
+        record.impact_force = impact.force;
+        record.impact_particle = impact.particle;
+        record.impact_force_eos = impact_force(S, p.mass, step.rho, force_eos).force;
+    }
+}
+
+/// Fig. 1, and the way out through the breach.
+void Flow::handle_collisions(SimulationState& state, const Wall& wall, FrameRecord& record) const
+{
+    constexpr int attempts =
+        8; // where surfaces are blended, one step along the gradient may not reach the wall
+    Particles& p = state.particles;
+    record.outside = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] != Kind::fluid || !vessel_->between_openings(p.position[i])) {
+            continue;
+        }
+        Distance d = vessel_->wall(p.position[i], wall.radius);
+        if (d.value <= 0) {
+            continue;
+        }
+        if (wall.breach && wall.breach->contains(p.position[i])) {
+            p.kind[i] = Kind::escaped;
+            ++state.ledger.escaped;
+            continue;
+        }
+        ++record.collisions;
+        for (int k = 0; k < attempts && d.value > 0; ++k) {
+            const double slope = length(d.gradient);
+            const Collision after =
+                collide(p.position[i], p.velocity[i], d.value / slope, d.gradient / slope);
+            p.position[i] = after.position;
+            p.velocity[i] = after.velocity;
+            d = vessel_->wall(p.position[i], wall.radius);
+        }
+        record.outside += d.value > 1e-9 * dx_ ? 1 : 0; // beyond what rounding leaves
+    }
+}
+
+void Flow::settle(SimulationState& state, const Wall& wall) const
+{
+    constexpr int steps = 40;           // after 30 the largest excess density no longer falls
+    constexpr double correction = 0.25; // of the density error in each
+    Particles& p = state.particles;
+    IncompressibleSettings settings = solver_;
+    settings.density_correction = correction;
+    FrameRecord record;
+    for (int k = 0; k < steps; ++k) {
+        const Step step = make_step(state, wall);
+        std::vector<double> pressure(step.bodies.size(), 0);
+        std::vector<Vec3> a(step.bodies.size());
+        solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, settings, pressure, a);
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            p.position[i] += dt_ * dt_ * a[i];
+        }
+        controller_.push_as_piston(p, 0);
+        handle_collisions(state, wall, record);
+        controller_.exchange(p, state.ledger);
+        p.velocity.assign(p.size(), {});
+    }
+    state.ledger = {};
+    std::ranges::fill(p.pressure, scenario_->outlet.pressure_pa);
+}
+
+} // namespace aneurysm::reference

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/particles.hpp"
+#include "reference/kernel_function.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace aneurysm::reference
+{
+
+/// How a body takes part in the SPH sums.
+enum class Role : std::uint8_t {
+    free,   ///< moved by forces
+    mirror, ///< ghost of the wall or the inlet: given velocity, its neighbour's pressure
+    outlet, ///< ghost of an outlet: given velocity and pressure (26)
+    absent, ///< in the reserve
+};
+
+/// All that the sums run over: the particles, by their index, and behind them the wall's ghosts.
+struct Bodies {
+    std::vector<Vec3> position; ///< [m]
+    std::vector<Vec3> velocity; ///< [m/s]
+    std::vector<double> mass;   ///< [kg]
+    std::vector<Role> role;
+
+    std::size_t size() const { return position.size(); }
+    bool free(std::size_t i) const { return role[i] == Role::free; }
+};
+
+/// A body j within the support of a body i, i itself included, with all that the sums need of the pair.
+struct Neighbor {
+    std::size_t j = 0;
+    double W = 0;     ///< W(|r_i - r_j|) [1/m^3]
+    Vec3 grad_W;      ///< its gradient with respect to r_i [1/m^4]
+    double lap_W = 0; ///< Laplacian of the viscosity kernel [1/m^5]
+};
+
+/// Box lengths of a periodic domain; 0: not periodic in that direction.
+using Period = Vec3;
+
+/// The neighbours of every free body, ascending in j.
+class Neighbors
+{
+public:
+    /// By a grid of cells as wide as the support; in a periodic direction the box must hold at least 3 cells.
+    /// \throws Error when it holds fewer
+    Neighbors(const Bodies& bodies, const Kernel& kernel, const Period& period = {});
+
+    /// Empty for bodies that are not free.
+    std::span<const Neighbor> of(std::size_t i) const
+    {
+        return {list_.data() + begin_[i], begin_[i + 1] - begin_[i]};
+    }
+
+private:
+    std::vector<Neighbor> list_;
+    std::vector<std::size_t> begin_;
+};
+
+} // namespace aneurysm::reference

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/simulation.hpp"
+
+#include "common/error.hpp"
+#include "reference/bifurcation.hpp"
+#include "reference/boundary.hpp"
+#include "reference/growth.hpp"
+#include "reference/rupture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace aneurysm::reference
+{
+namespace
+{
+
+/// Uniform in [-1, 1), the same on every machine.
+double uniform(std::mt19937_64& engine)
+{
+    return std::ldexp(static_cast<double>(engine() >> 11U), -52) - 1;
+}
+
+double initial_radius(const Scenario& s)
+{
+    return s.aneurysm.initial_radius_radii * s.vessel.radius_m;
+}
+
+/// Samples as many particles as the scenario's count leaves beside the reserve, or again with a known
+/// spacing.
+Lattice sample(const Scenario& s, const Vessel& vessel, const std::optional<SimulationState>& state)
+{
+    if (state) {
+        return sample_lattice(vessel, initial_radius(s), state->spacing);
+    }
+    const double sampled = static_cast<double>(s.particles.count) * (1 - s.particles.reserve_fraction);
+    return sample_count(vessel, initial_radius(s), static_cast<std::size_t>(sampled),
+                        daughter_radius(s.vessel.radius_m));
+}
+
+WallTissue wall_tissue(const Scenario& s)
+{
+    const auto& g = s.growth;
+    return {.rho_F = g.tissue_density_kg_m3,
+            .a = g.tissue_area_m2,
+            .c = g.wave_speed_m_s,
+            .K_E = g.elastin_stiffness_n_m,
+            .A_E = g.elastin_area_m2,
+            .K_C = g.collagen_stiffness_n_m,
+            .A_C = g.collagen_area_m2,
+            .m = g.wall_mass_kg};
+}
+
+} // namespace
+
+Simulation::Simulation(const Scenario& scenario) : Simulation(scenario, std::nullopt) {}
+
+Simulation::Simulation(const Scenario& scenario, SimulationState state)
+    : Simulation(scenario, std::optional<SimulationState>(std::move(state)))
+{
+}
+
+Simulation::Simulation(const Scenario& scenario, std::optional<SimulationState> state)
+    : scenario_(scenario), vessel_(scenario, daughter_radius(scenario.vessel.radius_m)),
+      lattice_(sample(scenario, vessel_, state)),
+      flow_(scenario_, vessel_, lattice_.spacing, lattice_.openings),
+      // The elastic displacement stays below one spacing to either side, see deform().
+      ghosts_(vessel_, std::max(initial_radius(scenario) - lattice_.spacing, 0.5 * initial_radius(scenario)),
+              vessel_.largest_radius() + lattice_.spacing, lattice_.spacing, flow_.kernel().support(),
+              flow_.particle_mass()),
+      state_(state ? std::move(*state) : first_state())
+{
+}
+
+SimulationState Simulation::first_state() const
+{
+    const auto count = static_cast<std::size_t>(scenario_.particles.count);
+    SimulationState state;
+    state.spacing = lattice_.spacing;
+    state.aneurysm.radius = initial_radius(scenario_);
+    state.aneurysm.thickness = scenario_.rupture.thickness_ratio * scenario_.vessel.radius_m;
+
+    Particles& p = state.particles;
+    p.mass = flow_.particle_mass();
+    const auto add = [&p](const std::vector<Vec3>& positions, Kind kind) {
+        p.position.insert(p.position.end(), positions.begin(), positions.end());
+        p.kind.insert(p.kind.end(), positions.size(), kind);
+    };
+    add(lattice_.fluid, Kind::fluid);
+    add(lattice_.openings[0], Kind::inlet);
+    add(lattice_.openings[1], Kind::outlet_1);
+    add(lattice_.openings[2], Kind::outlet_2);
+    if (p.size() > count) {
+        throw InputError("particles.reserve_fraction",
+                         "leaves no room for the lattice of " + std::to_string(p.size()) + " particles",
+                         "needed: a larger reserve_fraction or particles.count");
+    }
+    p.position.resize(count);
+    p.kind.resize(count, Kind::reserve);
+    p.velocity.resize(count);
+    p.pressure.resize(count, unset_pressure);
+
+    std::mt19937_64 engine(static_cast<std::uint64_t>(scenario_.particles.seed));
+    const double amplitude = scenario_.particles.jitter_spacings * lattice_.spacing;
+    for (std::size_t i = 0; i < lattice_.fluid.size(); ++i) {
+        const double x = uniform(engine);
+        const double y = uniform(engine);
+        const double z = uniform(engine);
+        p.position[i] += amplitude * Vec3{x, y, z};
+    }
+    flow_.settle(state, wall(state.aneurysm));
+    return state;
+}
+
+Wall Simulation::wall(const AneurysmState& aneurysm) const
+{
+    Wall wall;
+    wall.radius = aneurysm.radius + aneurysm.displacement;
+    if (aneurysm.phase == Phase::ruptured) {
+        wall.breach = Breach{vessel_.dome(wall.radius),
+                             scenario_.rupture.breach_radius_radii * scenario_.vessel.radius_m};
+    }
+    wall.ghosts = ghosts_.at(wall.radius, wall.breach);
+    return wall;
+}
+
+FrameRecord Simulation::advance()
+{
+    SimulationState next = state_;
+    FrameRecord record;
+    record.frame = next.frame + 1;
+    const double dt = scenario_.time.frame_s;
+    record.time = static_cast<double>(record.frame) * dt;
+    const Wall w = wall(next.aneurysm);
+    for (std::int64_t s = 1; s <= scenario_.time.substeps; ++s) {
+        const double part = static_cast<double>(s) / static_cast<double>(scenario_.time.substeps);
+        flow_.step(next, w, (static_cast<double>(next.frame) + part) * dt, record);
+    }
+    recycle_escaped(next, w);
+    deform(next, record);
+    next.frame = record.frame;
+    record.ledger = next.ledger;
+    record.total = static_cast<std::int64_t>(next.particles.size());
+    record.active = record.total - std::ranges::count(next.particles.kind, Kind::reserve);
+    record.fluid = std::ranges::count(next.particles.kind, Kind::fluid);
+    state_ = std::move(next);
+    return record;
+}
+
+/// Blood that is far enough from the breach returns to the reserve.
+void Simulation::recycle_escaped(SimulationState& state, const Wall& wall) const
+{
+    const double far = scenario_.rupture.recycle_distance_radii * scenario_.vessel.radius_m;
+    Particles& p = state.particles;
+    for (std::size_t i = 0; wall.breach && i < p.size(); ++i) {
+        if (p.kind[i] == Kind::escaped && length(p.position[i] - wall.breach->center) > far) {
+            p.kind[i] = Kind::reserve;
+            ++state.ledger.recycled;
+        }
+    }
+}
+
+/// Growth and thinning of one frame: (21), then (22) or (23).
+void Simulation::grow(AneurysmState& s, double F_b) const
+{
+    const double dR = radius_increment(wall_tissue(scenario_), F_b, s.radius, scenario_.time.frame_s);
+    const double largest = vessel_.largest_radius();
+    if (s.radius < largest) {
+        s.phase = Phase::growing;
+        const double taken = std::min(dR, largest - s.radius);
+        s.thickness = thickness_growing(s.thickness, s.radius, scenario_.rupture.poisson_ratio, taken);
+        s.radius = taken < dR ? largest : s.radius + dR;
+    } else {
+        s.phase = Phase::fully_developed;
+        s.thickness = thickness_developed(s.thickness, scenario_.growth.thinning_intensity_per_m, dR,
+                                          scenario_.growth.largest_increment_m);
+    }
+}
+
+/// What the frame's impact does to the sac: growth, the elastic wall (28) and, when F_b > P_c, rupture.
+void Simulation::deform(SimulationState& state, FrameRecord& record) const
+{
+    AneurysmState& s = state.aneurysm;
+    const auto& material = scenario_.rupture;
+    const bool alive =
+        vessel_.has_sac() && s.phase != Phase::ruptured && record.frame > scenario_.growth.warm_up_frames;
+    if (alive) {
+        grow(s, record.impact_force);
+        const ElasticWall w = advance_elastic_wall({s.displacement, s.wall_velocity}, record.impact_force,
+                                                   scenario_.elastic_wall.stiffness_n_m,
+                                                   scenario_.elastic_wall.mass_kg, scenario_.time.frame_s);
+        s.displacement = w.u;
+        s.wall_velocity = w.v;
+        if (!(std::abs(s.displacement) < state.spacing)) {
+            throw SimulationError("frame " + std::to_string(record.frame),
+                                  "the elastic wall is displaced by " + std::to_string(s.displacement) +
+                                      " m, more than a particle spacing",
+                                  "a larger elastic_wall.stiffness_n_m");
+        }
+    }
+    if (vessel_.has_sac()) {
+        record.critical_pressure = critical_pressure(s.thickness, s.radius, material.yield_limit_pa,
+                                                     material.poisson_ratio, material.porosity);
+    }
+    if (alive && ruptures(record.impact_force, material.conversion_area_m2, record.critical_pressure)) {
+        s.phase = Phase::ruptured;
+        s.rupture_frame = record.frame;
+    }
+    record.phase = s.phase;
+    record.radius = s.radius;
+    record.thickness = s.thickness;
+    record.displacement = s.displacement;
+}
+
+} // namespace aneurysm::reference

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/frame.hpp"
+#include "common/geometry.hpp"
+#include "common/sampling.hpp"
+#include "common/scenario.hpp"
+#include "reference/flow.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace aneurysm::reference
+{
+
+/// The whole model of the paper, frame by frame: the flow, and the aneurysm that it makes grow and rupture.
+class Simulation
+{
+public:
+    /// Starts from frame 0: samples vessel and particles.
+    /// \throws InputError when the scenario's values can't go together
+    explicit Simulation(const Scenario& scenario);
+    /// Continues from a state of the same scenario, to the same bits as a run without a break.
+    Simulation(const Scenario& scenario, SimulationState state);
+
+    Simulation(const Simulation&) = delete; // its parts refer to one another
+    Simulation& operator=(const Simulation&) = delete;
+
+    /// One frame.
+    /// \throws SimulationError that names frame and particle; state() is then still that of the last good
+    /// frame
+    FrameRecord advance();
+
+    const SimulationState& state() const { return state_; }
+    /// By particle, of the last flow step; rho_0 for what isn't blood [kg/m^3]
+    const std::vector<double>& density() const { return flow_.density(); }
+    const Vessel& vessel() const { return vessel_; }
+
+private:
+    Simulation(const Scenario& scenario, std::optional<SimulationState> state);
+    SimulationState first_state() const;
+
+    Wall wall(const AneurysmState& aneurysm) const;
+    void grow(AneurysmState& aneurysm, double F_b) const;
+    void deform(SimulationState& state, FrameRecord& record) const;
+    void recycle_escaped(SimulationState& state, const Wall& wall) const;
+
+    Scenario scenario_;
+    Vessel vessel_;
+    Lattice lattice_; ///< as sampled for frame 0
+    Flow flow_;
+    GhostLattice ghosts_;
+    SimulationState state_;
+};
+
+} // namespace aneurysm::reference
