@@ -4,6 +4,7 @@
 set -eu
 
 missing=
+# shellcheck disable=SC2013 # one word a line
 for package in $(grep -hv '^#' "$@"); do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
 done

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/scenario_json.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace aneurysm::fields
@@ -50,12 +51,16 @@ private:
     std::vector<Object> open_;
 };
 
-/// The library's message without its own numbering: "parse error at line 3, column 5: ...".
+/// The library's message without its own numbering, "parse error at line 3, column 5: ...", and without the
+/// text that it quotes where that isn't UTF-8.
 std::string reason_of(const nlohmann::json::exception& error)
 {
-    std::string text = error.what();
-    const auto end = text.find("] ");
-    return end == std::string::npos ? text : text.substr(end + 2);
+    const std::string text = error.what();
+    const auto start = text.find("] ");
+    const auto quoted = std::min(text.find("; last read"), text.size());
+    const bool printable = text.find("ill-formed UTF-8") == std::string::npos;
+    const auto from = start == std::string::npos ? 0 : start + 2;
+    return text.substr(from, printable ? std::string::npos : quoted - from);
 }
 
 } // namespace

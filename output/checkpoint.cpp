@@ -2,11 +2,14 @@
 #include "output/checkpoint.hpp"
 
 #include "common/error.hpp"
+#include "common/hash.hpp"
 #include "output/columns.hpp"
 #include "output/file.hpp"
-#include "output/frames.hpp"
 #include "output/hdf5.hpp"
 
+#include <algorithm>
+#include <cstring>
+#include <sstream>
 #include <string>
 #include <type_traits>
 
@@ -15,8 +18,11 @@ namespace aneurysm::output
 namespace
 {
 
-constexpr std::int64_t version = 1;
+/// The file starts with a line "aneurysm checkpoint VERSION HASH" in HDF5's user block; the hash is that of
+/// all bytes after the block, so that nothing damaged reaches HDF5.
 constexpr std::string_view format = "aneurysm checkpoint";
+constexpr int version = 1;
+constexpr std::size_t block_size = 512;
 constexpr std::uint8_t last_kind = static_cast<std::uint8_t>(Kind::outlet_2);
 
 static_assert(sizeof(Particles) == 4 * sizeof(std::vector<double>) + 8);
@@ -111,15 +117,31 @@ SimulationState read_state(const hdf5::Group& root)
     return state;
 }
 
-void check_format(const hdf5::Group& root)
+std::string hash_after_block(const std::vector<std::byte>& bytes)
 {
-    if (!root.has_attribute("format") || root.read_text_attribute("format") != format) {
-        root.task().fail("the file", "it is no checkpoint");
+    Fnv1a hash;
+    hash.add(std::span(bytes).subspan(std::min(block_size, bytes.size())));
+    return hash.hex();
+}
+
+void check_block(const std::vector<std::byte>& bytes, const std::string& where)
+{
+    const std::string block(reinterpret_cast<const char*>(bytes.data()),
+                            std::min(block_size, bytes.size())); // NOLINT
+    std::istringstream words(block.starts_with(format) ? block.substr(format.size()) : "");
+    std::string found_version;
+    std::string found_hash;
+    words >> found_version >> found_hash;
+    if (found_version.empty()) {
+        throw InputError(where, "is no checkpoint", "needed: the checkpoint.h5 of a run");
     }
-    const auto found = root.read_attribute<std::int64_t>("version");
-    if (found != version) {
-        throw InputError(root.task().where, "checkpoint of another version (" + std::to_string(found) + ")",
+    if (found_version != std::to_string(version)) {
+        throw InputError(where, "checkpoint of another version (" + found_version + ")",
                          "needed: version " + std::to_string(version));
+    }
+    if (found_hash != hash_after_block(bytes)) {
+        throw InputError(where, "checkpoint is truncated or damaged (its hash differs)",
+                         "needed: the file as it was written");
     }
 }
 
@@ -128,13 +150,9 @@ void check_format(const hdf5::Group& root)
 void write_checkpoint(const std::filesystem::path& file, const Scenario& scenario,
                       const SimulationState& state)
 {
-    const hdf5::File image(file.string());
+    const hdf5::File image(file.string(), block_size);
     {
         const hdf5::Group root = image.root();
-        root.write_attribute("format", std::string(format));
-        root.write_attribute("version", version);
-        root.write_attribute("scenario_hash", scenario_hash(scenario));
-        root.write_attribute("state_hash", state_hash(state));
         root.write("scenario", to_json(scenario));
         root.write_attribute("frame", state.frame);
         root.write_attribute("spacing_m", state.spacing);
@@ -148,26 +166,21 @@ void write_checkpoint(const std::filesystem::path& file, const Scenario& scenari
         visit_ledger(state.ledger,
                      [&](std::string_view name, const auto& v) { write_number(ledger, name, v); });
     }
-    write_atomically(file, std::span<const std::byte>(image.image()));
+    std::vector<std::byte> bytes = image.image();
+    const std::string line =
+        std::string(format) + " " + std::to_string(version) + " " + hash_after_block(bytes) + "\n";
+    std::memcpy(bytes.data(), line.data(), line.size());
+    write_atomically(file, std::span<const std::byte>(bytes));
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file)
 {
     const std::string where = file.string();
     const std::vector<std::byte> bytes = read_bytes(file);
+    check_block(bytes, where);
     const hdf5::File image(bytes, where);
     const hdf5::Group root = image.root();
-    check_format(root);
-    Checkpoint checkpoint;
-    checkpoint.scenario = parse_scenario(root.read_text("scenario"), where + ": scenario");
-    if (root.read_text_attribute("scenario_hash") != scenario_hash(checkpoint.scenario)) {
-        root.task().fail("the scenario", "it doesn't match its hash");
-    }
-    checkpoint.state = read_state(root);
-    if (root.read_text_attribute("state_hash") != state_hash(checkpoint.state)) {
-        root.task().fail("the state", "it doesn't match its hash");
-    }
-    return checkpoint;
+    return {parse_scenario(root.read_text("scenario"), where + ": scenario"), read_state(root)};
 }
 
 } // namespace aneurysm::output

@@ -49,7 +49,17 @@ Handle in_memory(const Task& task)
     return access;
 }
 
-hid_t open_image(std::span<const std::byte> image, const Task& task)
+Handle create_image(std::size_t user_block, const Task& task)
+{
+    const Handle access = in_memory(task);
+    const Handle creation = property_list(H5P_FILE_CREATE, task);
+    if (H5Pset_userblock(creation.id(), user_block) < 0) {
+        task.fail("a user block");
+    }
+    return {H5Fcreate("in memory", H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, task, "the file"};
+}
+
+Handle open_image(std::span<const std::byte> image, const Task& task)
 {
     const Handle access = in_memory(task);
     // HDF5 copies the bytes, although it asks for them without const.
@@ -60,7 +70,7 @@ hid_t open_image(std::span<const std::byte> image, const Task& task)
     if (H5Pset_file_image(access.id(), bytes, image.size()) < 0) {
         task.fail("a file in memory");
     }
-    return H5Fopen("in memory", H5F_ACC_RDONLY, access.id());
+    return {H5Fopen("in memory", H5F_ACC_RDONLY, access.id()), H5Fclose, task, "the file"};
 }
 
 Handle text_type(std::size_t size, const Task& task)
@@ -257,15 +267,13 @@ std::string Group::read_text_attribute(const std::string& name) const
     });
 }
 
-File::File(const std::string& where)
-    : task_{Task::Kind::write, where},
-      handle_(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory(task_).id()), H5Fclose, task_,
-              "the file")
+File::File(const std::string& where, std::size_t user_block)
+    : task_{Task::Kind::write, where}, handle_(create_image(user_block, task_)), user_block_(user_block)
 {
 }
 
 File::File(std::span<const std::byte> image, const std::string& where)
-    : task_{Task::Kind::read, where}, handle_(open_image(image, task_), H5Fclose, task_, "the file")
+    : task_{Task::Kind::read, where}, handle_(open_image(image, task_))
 {
 }
 
@@ -279,9 +287,14 @@ std::vector<std::byte> File::image() const
     if (H5Fflush(handle_.id(), H5F_SCOPE_GLOBAL) < 0) {
         task_.fail("the file");
     }
+    // HDF5 leaves the user block out, but counts on it in the addresses.
     const ssize_t size = H5Fget_file_image(handle_.id(), nullptr, 0);
-    std::vector<std::byte> bytes(size > 0 ? static_cast<std::size_t>(size) : 0);
-    if (size <= 0 || H5Fget_file_image(handle_.id(), bytes.data(), bytes.size()) != size) {
+    if (size <= 0) {
+        task_.fail("the file");
+    }
+    const auto length = static_cast<std::size_t>(size);
+    std::vector<std::byte> bytes(user_block_ + length);
+    if (H5Fget_file_image(handle_.id(), bytes.data() + user_block_, length) != size) {
         task_.fail("the file");
     }
     return bytes;

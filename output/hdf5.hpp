@@ -123,8 +123,9 @@ private:
 class File
 {
 public:
-    /// Empty, to be filled. `where` names it in messages.
-    explicit File(const std::string& where);
+    /// Empty, to be filled. `where` names it in messages. The first `user_block` bytes of the image are the
+    /// caller's (0, or a power of two from 512).
+    explicit File(const std::string& where, std::size_t user_block = 0);
     /// From the bytes of a file.
     File(std::span<const std::byte> image, const std::string& where);
 
@@ -134,6 +135,7 @@ public:
 private:
     Task task_;
     Handle handle_;
+    std::size_t user_block_ = 0;
 };
 
 } // namespace aneurysm::output::hdf5

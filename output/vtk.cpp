@@ -5,6 +5,7 @@
 #include "output/hdf5.hpp"
 
 #include <array>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace
 {
 
 constexpr std::uint8_t vtk_vertex = 1;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The shown particles' values, in the order of their numbers.
 struct Shown {
@@ -39,7 +41,7 @@ Shown select(const ParticleFields& fields)
             shown.id.push_back(static_cast<std::int64_t>(i));
             add(shown.position, p.position[i]);
             add(shown.velocity, p.velocity[i]);
-            shown.density.push_back(fields.density[i]);
+            shown.density.push_back(fields.density.empty() ? unknown : fields.density[i]);
             shown.pressure.push_back(p.pressure[i]);
             shown.kind.push_back(static_cast<std::uint8_t>(p.kind[i]));
         }

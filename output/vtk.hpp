@@ -12,7 +12,7 @@ namespace aneurysm::output
 /// What a particle file shows.
 struct ParticleFields {
     const Particles& particles;
-    std::span<const double> density; ///< by particle [kg/m^3]
+    std::span<const double> density; ///< by particle [kg/m^3]; empty when not known yet, which shows as NaN
 };
 
 /// The particles but for the reserve, as VTKHDF 1.0 (an unstructured grid of vertices): VTK 9.1,

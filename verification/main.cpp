@@ -70,13 +70,12 @@ int parse_and_run(int argc, char** argv)
 {
     CLI::App app("Aneurysms by smoothed particle hydrodynamics: flow, growth and rupture.", "aneurysm");
     app.set_version_flag("--version", std::string("aneurysm ") + output::build_info().version);
-    app.require_subcommand(1);
     app.footer("Example:\n  aneurysm run data/scenarios/quick.json --out results/quick\n"
                "aneurysm SUBCOMMAND --help says more.");
     RunOptions run_options;
     InfoOptions info_options;
     const CLI::App* run = add_run(app, run_options);
-    add_info(app, info_options);
+    const CLI::App* info = add_info(app, info_options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -87,6 +86,9 @@ int parse_and_run(int argc, char** argv)
     }
     if (run->parsed()) {
         return verification::run(run_options);
+    }
+    if (!info->parsed()) {
+        throw InputError("command line", "no subcommand given", "see aneurysm --help");
     }
     show(info_options);
     return 0;

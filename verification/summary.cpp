@@ -89,6 +89,10 @@ std::string summary(const Scenario& scenario, const std::vector<FrameRecord>& re
     text << "  flow           " << l.inlet_in - l.inlet_out << " particles in at the inlet, "
          << l.outlet_out - l.outlet_in << " out at the outlets, " << l.escaped
          << " through the breach (net)\n";
+    if (l.missed > 0) {
+        text << "  RESERVE        was empty for " << l.missed
+             << " particles: raise particles.reserve_fraction\n";
+    }
     if (t.settled_frames > 0) {
         text << "  density error  " << 100 * t.density_error_mean << " % mean, " << 100 * t.density_error_max
              << " % largest, after the warm-up\n";
