@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace aneurysm::output::hdf5
@@ -49,6 +50,13 @@ Handle in_memory(const Task& task)
     return access;
 }
 
+/// HDF5 takes two files of one name for the same file.
+std::string new_name()
+{
+    static std::atomic<int> count = 0;
+    return "in memory " + std::to_string(++count);
+}
+
 Handle create_image(std::size_t user_block, const Task& task)
 {
     const Handle access = in_memory(task);
@@ -56,7 +64,8 @@ Handle create_image(std::size_t user_block, const Task& task)
     if (H5Pset_userblock(creation.id(), user_block) < 0) {
         task.fail("a user block");
     }
-    return {H5Fcreate("in memory", H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, task, "the file"};
+    return {H5Fcreate(new_name().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, task,
+            "the file"};
 }
 
 Handle open_image(std::span<const std::byte> image, const Task& task)
@@ -70,7 +79,7 @@ Handle open_image(std::span<const std::byte> image, const Task& task)
     if (H5Pset_file_image(access.id(), bytes, image.size()) < 0) {
         task.fail("a file in memory");
     }
-    return {H5Fopen("in memory", H5F_ACC_RDONLY, access.id()), H5Fclose, task, "the file"};
+    return {H5Fopen(new_name().c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, task, "the file"};
 }
 
 Handle text_type(std::size_t size, const Task& task)
