@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analytic/blood_flow.hpp"
 
-#include "analytic/kernel_function.hpp"
-
 namespace aneurysm::analytic
 {
 namespace
@@ -58,9 +56,11 @@ VectorEstimate pressure_force(const Medium& medium, const Wave& wave, double s)
     return scaled(-medium.volume() / 2 * wave.p_1 * s, gradient_sum(medium.lattice, wave.k));
 }
 
-double pressure_force_ratio(const Lattice& lattice, double k)
+Estimate pressure_force_ratio(const Medium& medium)
 {
-    return kernel_transform(lattice.kernel, lattice.h, k) / 2;
+    // the floor is that of a volume dx^3; the particles' volume differs from it by the lattice's density
+    const Estimate b = gradient_floor(medium.lattice);
+    return scaled(medium.volume() / medium.lattice.cell() / 2, {1 + b.value, b.error});
 }
 
 VectorEstimate viscosity_force(const Medium& medium, double mu, const Wave& wave, double c)

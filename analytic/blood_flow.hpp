@@ -40,9 +40,9 @@ Estimate density(const Medium& medium);
 /// Eq. (6)  -m/(2 rho) p_1 G s; tends to p_1 k s/2, HALF of -grad p [N/m^3].
 VectorEstimate pressure_force(const Medium& medium, const Wave& wave, double s);
 
-/// Eq. (6)  Ratio of that to -grad p along k for a long wave: What(k)/2, closed form. The lattice adds about
-/// half of gradient_floor [1].
-double pressure_force_ratio(const Lattice& lattice, double k);
+/// Eq. (6)  Ratio of the force to -grad p where p is linear: (1 + b)/2, b = gradient_floor. A wider support
+/// makes b small and leaves the half [1].
+Estimate pressure_force_ratio(const Medium& medium);
 
 /// Eq. (7)  -mu m/rho L v_1 c with L = viscosity_sum; tends to -mu k^2 v [N/m^3].
 VectorEstimate viscosity_force(const Medium& medium, double mu, const Wave& wave, double c);

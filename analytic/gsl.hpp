@@ -2,6 +2,7 @@
 // GSL behind values and exceptions: every result comes with the bound of its own error.
 #pragma once
 
+#include <gsl/gsl_deriv.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_odeiv2.h>
@@ -59,7 +60,8 @@ gsl_function gsl_function_of(Function& f)
     return {[](double x, void* self) { return (*static_cast<Function*>(self))(x); }, &f};
 }
 
-/// Adaptive quadrature over [a, b]; the error is GSL's own estimate.
+/// Adaptive quadrature over [a, b]; the error is GSL's own estimate, which leaves rounding out, and 16 u of
+/// the value.
 template <class Function>
 Estimate integrate(Function f, double a, double b)
 {
@@ -71,6 +73,7 @@ Estimate integrate(Function f, double a, double b)
     gsl_check(
         gsl_integration_cquad(&wrapped, a, b, 0, 1e-13, work.get(), &result.value, &result.error, nullptr),
         "quadrature");
+    result.error += 8 * std::numeric_limits<double>::epsilon() * std::abs(result.value);
     return result;
 }
 
@@ -94,6 +97,17 @@ Estimate integrate_polynomial(Function f, double a, double b)
     }
     sum.error *= roundings * std::numeric_limits<double>::epsilon() / 2;
     return sum;
+}
+
+/// f'(0) by central differences of order 4 with steps around h; the error is GSL's own estimate.
+template <class Function>
+Estimate differentiate(Function f, double h)
+{
+    gsl_return_errors();
+    const gsl_function wrapped = gsl_function_of(f);
+    Estimate result;
+    gsl_check(gsl_deriv_central(&wrapped, 0, h, &result.value, &result.error), "derivative");
+    return result;
 }
 
 /// y(x_1) of dy/dx = f(x, y), y(x_0) = y_0, by Prince and Dormand's method of order 8. The error is the
