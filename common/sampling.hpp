@@ -35,12 +35,16 @@ Lattice sample_lattice(const Vessel& vessel, double R, double dx);
 /// small
 Lattice sample_count(const Vessel& vessel, double R, std::size_t count, double daughter_radius);
 
-/// A hole in the sac's wall.
+/// A round hole at the top of the sac, open upwards through the whole depth of the wall.
 struct Breach {
-    Vec3 center;       ///< [m]
+    Vec3 center;       ///< of the hole, on the wall [m]
     double radius = 0; ///< [m]
 
-    bool contains(const Vec3& x) const { return length(x - center) < radius; }
+    bool contains(const Vec3& x) const
+    {
+        const Vec3 d = x - center;
+        return d.y > -radius && d.x * d.x + d.z * d.z < radius * radius;
+    }
 };
 
 /// The wall's ghost particles (27) on the fluid's lattice, which hold as much mass as their cell has volume

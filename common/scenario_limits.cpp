@@ -32,14 +32,13 @@ double largest_inlet_speed(const Scenario& scenario)
     return largest;
 }
 
-StepLimits step_limits(const Scenario& scenario)
+StepLimits step_limits(const Scenario& scenario, double dx)
 {
     constexpr double never = std::numeric_limits<double>::infinity();
-    const double dx = estimated_spacing(scenario);
     const double h = scenario.kernel.smoothing_length_spacings * dx;
     const double speed = largest_inlet_speed(scenario);
     StepLimits limits;
-    limits.convective = speed > 0 ? dx / (2.5 * speed) : never;
+    limits.convective = speed > 0 ? 0.5 * dx / (2.5 * speed) : never;
     limits.viscous = scenario.fluid.viscosity_pa_s > 0
                          ? 0.125 * h * h * scenario.fluid.density_kg_m3 / scenario.fluid.viscosity_pa_s
                          : never;

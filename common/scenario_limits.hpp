@@ -3,6 +3,8 @@
 
 #include "common/scenario.hpp"
 
+#include <algorithm>
+
 namespace aneurysm
 {
 
@@ -13,12 +15,15 @@ double estimated_spacing(const Scenario& scenario);
 /// Largest speed that the inlet prescribes [m/s].
 double largest_inlet_speed(const Scenario& scenario);
 
-/// Longest stable flow step (a frame over its substeps), by the estimated spacing [s].
+/// Longest stable flow steps (a frame over its substeps) at the particle spacing dx [s].
 struct StepLimits {
-    double convective = 0; ///< the fastest particles, 2.5 v_0 in the jets of the junction, move a spacing
-    double viscous = 0;    ///< 0.125 h^2 rho_0 / mu (Morris et al. 1997)
-    double acoustic = 0;   ///< 0.4 h / sqrt(kappa), only of model `eos`; else infinite
+    double convective =
+        0;               ///< the fastest particles, 2.5 v_0 in the jets of the junction, move half a spacing
+    double viscous = 0;  ///< 0.125 h^2 rho_0 / mu (Morris et al. 1997)
+    double acoustic = 0; ///< 0.4 h / sqrt(kappa), only of model `eos`; else infinite
+
+    double smallest() const { return std::min({convective, viscous, acoustic}); }
 };
-StepLimits step_limits(const Scenario& scenario);
+StepLimits step_limits(const Scenario& scenario, double dx);
 
 } // namespace aneurysm

@@ -2,6 +2,7 @@
 #include "reference/flow.hpp"
 
 #include "common/error.hpp"
+#include "common/scenario_limits.hpp"
 #include "reference/boundary.hpp"
 #include "reference/rupture.hpp"
 
@@ -64,19 +65,10 @@ Flow::Flow(const Scenario& scenario, const Vessel& vessel, double dx, std::array
     check_stability();
 }
 
-/// Explicit steps: blood at 2.5 v_0, about the fastest of a run, moves at most dx/2; momentum diffuses at
-/// most 0.125 h^2 (Morris et al. 1997); sound of the equation of state passes at most h/4. And omega is below
-/// its limit.
 void Flow::check_stability() const
 {
-    constexpr double fastest = 2.5;
     const Scenario& s = *scenario_;
-    const double h = kernel_.smoothing_length();
-    double limit = std::min(0.5 * dx_ / (fastest * s.inlet.peak_velocity_m_s),
-                            0.125 * h * h * s.fluid.density_kg_m3 / s.fluid.viscosity_pa_s);
-    if (s.pressure.model == PressureModel::eos) {
-        limit = std::min(limit, 0.25 * h / std::sqrt(s.pressure.stiffness_m2_s2));
-    }
+    const double limit = step_limits(s, dx_).smallest();
     if (dt_ > limit) {
         throw InputError("time.substeps",
                          std::to_string(s.time.substeps) + " makes a step of " + std::to_string(dt_) +

@@ -55,7 +55,7 @@ std::string flow_info(const Scenario& s)
     const double r_0 = s.vessel.radius_m;
     const double rho_0 = s.fluid.density_kg_m3;
     const double step = s.time.frame_s / static_cast<double>(s.time.substeps);
-    const StepLimits limits = step_limits(s);
+    const StepLimits limits = step_limits(s, estimated_spacing(s));
     const double path = (s.vessel.parent_length_radii + s.vessel.daughter_length_radii) * r_0;
     Lines lines;
     lines.add("particle spacing dx, about", dx, "m")
