@@ -79,25 +79,35 @@ Lattice sample_lattice(const Vessel& vessel, double R, double dx)
     return lattice;
 }
 
-Lattice sample_count(const Vessel& vessel, double R, std::size_t count, double daughter_radius)
+Lattice sample_count(const Vessel& vessel, double R, std::size_t count, double reserve_fraction,
+                     double daughter_radius)
 {
+    const auto beside_reserve = [&](std::size_t all) {
+        return static_cast<std::size_t>(static_cast<double>(all) * (1 - reserve_fraction));
+    };
     // At least two layers of particles on each side of a daughter's axis, else the lattice holds no flow.
     const double coarsest = 0.5 * daughter_radius;
-    if (sample_lattice(vessel, R, coarsest).size() > count) {
+    const std::size_t wanted = beside_reserve(count);
+    if (const std::size_t least = sample_lattice(vessel, R, coarsest).size(); least > wanted) {
+        std::size_t needed = count;
+        while (beside_reserve(needed) < least) {
+            ++needed;
+        }
         throw InputError("particles.count", std::to_string(count) + " is too few for this vessel",
-                         "needed: at least " + std::to_string(sample_lattice(vessel, R, coarsest).size()) +
+                         "needed: at least " + std::to_string(needed) +
                              " so that the spacing is at most half a daughter's radius");
     }
     double fine = coarsest;
-    while (sample_lattice(vessel, R, fine).size() < count) {
+    while (sample_lattice(vessel, R, fine).size() < wanted) {
         fine *= 0.7;
     }
-    double coarse = fine / 0.7;
+    double coarse = std::min(fine / 0.7, coarsest);
     for (int bisection = 0; bisection < 30; ++bisection) {
         const double middle = 0.5 * (fine + coarse);
-        (sample_lattice(vessel, R, middle).size() < count ? coarse : fine) = middle;
+        (sample_lattice(vessel, R, middle).size() < wanted ? coarse : fine) = middle;
     }
-    return sample_lattice(vessel, R, fine);
+    Lattice lattice = sample_lattice(vessel, R, fine);
+    return lattice.size() <= count ? lattice : sample_lattice(vessel, R, coarse);
 }
 
 GhostLattice::GhostLattice(const Vessel& vessel, double R_smallest, double R_largest, double dx,

@@ -30,10 +30,12 @@ struct Lattice {
 /// The lattice of spacing dx in the vessel with a sac of radius R.
 Lattice sample_lattice(const Vessel& vessel, double R, double dx);
 
-/// The coarsest lattice with at least `count` points; found by bisection, the same on every machine.
-/// \throws InputError (at `particles.count`) when the spacing would not resolve the daughters: count is too
-/// small
-Lattice sample_count(const Vessel& vessel, double R, std::size_t count, double daughter_radius);
+/// The coarsest lattice that leaves at most `reserve_fraction` of `count` particles over; where whole layers
+/// come in at once and that is more than `count`, the finest with fewer. Found by bisection, the same on
+/// every machine. \throws InputError (at `particles.count`) when the spacing would not resolve the daughters:
+/// count is too few
+Lattice sample_count(const Vessel& vessel, double R, std::size_t count, double reserve_fraction,
+                     double daughter_radius);
 
 /// A round hole at the top of the sac, open upwards through the whole depth of the wall.
 struct Breach {

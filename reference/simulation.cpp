@@ -35,9 +35,8 @@ Lattice sample(const Scenario& s, const Vessel& vessel, const std::optional<Simu
     if (state) {
         return sample_lattice(vessel, initial_radius(s), state->spacing);
     }
-    const double sampled = static_cast<double>(s.particles.count) * (1 - s.particles.reserve_fraction);
-    return sample_count(vessel, initial_radius(s), static_cast<std::size_t>(sampled),
-                        daughter_radius(s.vessel.radius_m));
+    return sample_count(vessel, initial_radius(s), static_cast<std::size_t>(s.particles.count),
+                        s.particles.reserve_fraction, daughter_radius(s.vessel.radius_m));
 }
 
 WallTissue wall_tissue(const Scenario& s)
@@ -92,11 +91,6 @@ SimulationState Simulation::first_state() const
     add(lattice_.openings[0], Kind::inlet);
     add(lattice_.openings[1], Kind::outlet_1);
     add(lattice_.openings[2], Kind::outlet_2);
-    if (p.size() > count) {
-        throw InputError("particles.reserve_fraction",
-                         "leaves no room for the lattice of " + std::to_string(p.size()) + " particles",
-                         "needed: a larger reserve_fraction or particles.count");
-    }
     p.position.resize(count);
     p.kind.resize(count, Kind::reserve);
     p.velocity.resize(count);
