@@ -31,7 +31,7 @@ void frames(benchmark::State& state, const std::string& file)
     double error_mean = 0;
     double error_max = 0;
     double count = 0;
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) { // NOLINT(clang-analyzer-deadcode.DeadStores)
         const aneurysm::FrameRecord record = simulation.advance();
         iterations += static_cast<double>(record.iterations);
         error_mean += record.density_error_mean;

@@ -3,6 +3,7 @@
 
 #include "common/particles.hpp"
 
+#include <array>
 #include <cstdint>
 
 namespace aneurysm
@@ -74,7 +75,7 @@ struct SimulationState {
     Particles particles;
     AneurysmState aneurysm;
     Ledger ledger;
-    double outlet_velocity[2] = {0, 0}; ///< of the two plugs, outward [m/s]
+    std::array<double, 2> outlet_velocity{}; ///< of the two plugs, outward [m/s]
 };
 
 } // namespace aneurysm

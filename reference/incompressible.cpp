@@ -159,16 +159,16 @@ double lattice_kernel_sum(const Kernel& kernel, double dx)
     return sum;
 }
 
-double relaxation_limit(KernelName name, double ratio)
+double relaxation_limit(KernelName kernel, double ratio)
 {
     // The symbol is largest on or near the symmetry directions of the Brillouin zone; a grid of 32 points an
     // axis over the whole octant finds it to 0.1 %, and the factor below covers what the grid misses.
     constexpr int points = 32;
     constexpr double margin = 1.002;
-    const Kernel kernel(name, ratio);
+    const Kernel W(kernel, ratio);
     double squares = 0;
-    for_each_lattice_neighbor(kernel.support(), [&](const Vec3& x) {
-        const Vec3 g = kernel.gradient(x);
+    for_each_lattice_neighbor(W.support(), [&](const Vec3& x) {
+        const Vec3 g = W.gradient(x);
         squares += dot(g, g);
     });
     double largest = 0;
@@ -178,9 +178,8 @@ double relaxation_limit(KernelName name, double ratio)
                 const Vec3 k = std::numbers::pi / points *
                                Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(l)};
                 Vec3 symbol;
-                for_each_lattice_neighbor(kernel.support(), [&](const Vec3& x) {
-                    symbol += std::sin(dot(k, x)) * kernel.gradient(x);
-                });
+                for_each_lattice_neighbor(
+                    W.support(), [&](const Vec3& x) { symbol += std::sin(dot(k, x)) * W.gradient(x); });
                 largest = std::max(largest, dot(symbol, symbol));
             }
         }

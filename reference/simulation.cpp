@@ -157,8 +157,9 @@ void Simulation::recycle_escaped(SimulationState& state, const Wall& wall) const
 }
 
 /// Growth and thinning of one frame: (21), then (22) or (23).
-void Simulation::grow(AneurysmState& s, double F_b) const
+void Simulation::grow(AneurysmState& aneurysm, double F_b) const
 {
+    AneurysmState& s = aneurysm;
     const double dR = radius_increment(wall_tissue(scenario_), F_b, s.radius, scenario_.time.frame_s);
     const double largest = vessel_.largest_radius();
     if (s.radius < largest) {
