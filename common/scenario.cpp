@@ -39,7 +39,7 @@ void refuse_missing(const std::set<std::string>& present, Scenario& scenario, co
 {
     fields::visit(scenario, [&](const Field& field, const auto&) {
         if (!present.contains(std::string(field.path))) {
-            throw InputError(origin + ": " + std::string(field.path), "missing key",
+            throw InputError(fields::place(origin, field.path), "missing key",
                              "needed: " + std::string(field.doc) + ", here or in the file named by base");
         }
     });
@@ -55,7 +55,7 @@ void read_onto(const fs::path& file, std::vector<fs::path>& chain, Scenario& sce
     if (json.is_object() && json.contains("base") && json["base"].is_string()) {
         const fs::path base = file.parent_path() / fs::path(json["base"].get<std::string>());
         if (std::find(chain.begin(), chain.end(), fs::weakly_canonical(base)) != chain.end()) {
-            throw InputError(origin + ": base",
+            throw InputError(fields::place(origin, "base"),
                              "files build on one another in a circle (" + fields::shown(json["base"]) + ")",
                              "allowed: a file that doesn't lead back here");
         }
@@ -63,7 +63,8 @@ void read_onto(const fs::path& file, std::vector<fs::path>& chain, Scenario& sce
             read_onto(base, chain, scenario, present);
         } catch (const InputError&) {
             if (std::error_code unused; !fs::exists(base, unused)) {
-                throw InputError(origin + ": base", "no such file (" + fields::shown(json["base"]) + ")",
+                throw InputError(fields::place(origin, "base"),
+                                 "no such file (" + fields::shown(json["base"]) + ")",
                                  "allowed: a scenario file, relative to this one");
             }
             throw;
@@ -103,7 +104,7 @@ Scenario parse_scenario(const std::string& json, const std::string& origin)
 {
     const Json parsed = fields::parse_strictly(json, origin);
     if (parsed.is_object() && parsed.contains("base")) {
-        throw InputError(origin + ": base",
+        throw InputError(fields::place(origin, "base"),
                          "this text cannot build on a file (" + fields::shown(parsed["base"]) + ")",
                          "allowed: a complete scenario");
     }

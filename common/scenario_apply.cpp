@@ -52,8 +52,7 @@ private:
     [[noreturn]] void refuse(const Field& field, const std::string& what, const Json& value,
                              const std::string& allowed) const
     {
-        throw InputError(origin_ + ": " + std::string(field.path), what + " (" + shown(value) + ")",
-                         "allowed: " + allowed);
+        throw InputError(place(origin_, field.path), what + " (" + shown(value) + ")", "allowed: " + allowed);
     }
 
     double number(const Field& field, const Json& value) const
@@ -149,12 +148,13 @@ const Tree& known_keys()
 void refuse_unknown_in_group(const std::string& group, const Json& value, const std::string& origin)
 {
     if (!value.is_object()) {
-        throw InputError(origin + ": " + group, "not an object (" + shown(value) + ")",
+        throw InputError(place(origin, group), "not an object (" + shown(value) + ")",
                          "allowed: an object with the keys " + list(known_keys().at(group)));
     }
     for (const auto& [key, unused] : value.items()) {
         if (!known_keys().at(group).contains(key)) {
-            throw InputError(origin + ": " + group + "." + key, "unknown key (value " + shown(unused) + ")",
+            throw InputError(place(origin, group).append(".").append(key),
+                             "unknown key (value " + shown(unused) + ")",
                              "allowed in " + group + ": " + list(known_keys().at(group)));
         }
     }
@@ -163,12 +163,13 @@ void refuse_unknown_in_group(const std::string& group, const Json& value, const 
 void refuse_unknown(const Json& json, const std::string& origin)
 {
     if (!json.is_object()) {
-        throw InputError(origin + ": (top)", "not an object (" + shown(json) + ")", "allowed: a JSON object");
+        throw InputError(place(origin, "(top)"), "not an object (" + shown(json) + ")",
+                         "allowed: a JSON object");
     }
     for (const auto& [key, value] : json.items()) {
         if (key == "base" || key == "$schema") {
             if (!value.is_string()) {
-                throw InputError(origin + ": " + key, "not a string (" + shown(value) + ")",
+                throw InputError(place(origin, key), "not a string (" + shown(value) + ")",
                                  "allowed: the path of a file");
             }
         } else if (!key.empty() && known_keys().contains(key)) {
@@ -181,7 +182,7 @@ void refuse_unknown(const Json& json, const std::string& origin)
                     allowed.insert(group);
                 }
             }
-            throw InputError(origin + ": " + key, "unknown key (value " + shown(value) + ")",
+            throw InputError(place(origin, key), "unknown key (value " + shown(value) + ")",
                              "allowed: " + list(allowed));
         }
     }
@@ -194,19 +195,19 @@ void apply_assumed(const Json& json, const std::string& origin, Scenario& scenar
         return;
     }
     if (!it->is_object()) {
-        throw InputError(origin + ": assumed", "not an object (" + shown(*it) + ")",
+        throw InputError(place(origin, "assumed"), "not an object (" + shown(*it) + ")",
                          "allowed: an object of JSON paths and reasons");
     }
     for (const auto& [path, reason] : it->items()) {
         const auto [group, key] = split(path);
         const auto keys = known_keys().find(group);
         if (keys == known_keys().end() || !keys->second.contains(key)) {
-            throw InputError(origin + ": assumed", "no such value in a scenario (" + shown(path) + ")",
+            throw InputError(place(origin, "assumed"), "no such value in a scenario (" + shown(path) + ")",
                              "allowed: JSON paths such as vessel.radius_m");
         }
         if (!reason.is_string() ||
             reason.get_ref<const std::string&>().find_first_not_of(" \t\n") == std::string::npos) {
-            throw InputError(origin + ": assumed." + path, "no reason (" + shown(reason) + ")",
+            throw InputError(place(origin, "assumed." + path), "no reason (" + shown(reason) + ")",
                              "allowed: a string that says why this value was taken");
         }
         scenario.assumed[path] = reason.get<std::string>();

@@ -35,6 +35,13 @@ inline std::string shown(const Json& value)
     return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
+/// Where something is wrong, for messages: "file: path".
+inline std::string place(const std::string& origin, std::string_view path)
+{
+    std::string text = origin + ": ";
+    return text.append(path);
+}
+
 /// "a number > 0 and <= 1.0"
 std::string describe(const Range& range, bool integer);
 

@@ -25,7 +25,7 @@ public:
             const auto key = parsed.get<std::string>();
             open_.back().last = key;
             if (!open_.back().keys.insert(key).second) {
-                throw InputError(origin_ + ": " + path(),
+                throw InputError(place(origin_, path()),
                                  "key appears twice in its object (" + shown(parsed) + ")",
                                  "allowed: each key once");
             }
@@ -71,7 +71,7 @@ Json parse_strictly(const std::string& text, const std::string& origin)
     try {
         return Json::parse(text, std::ref(watch));
     } catch (const nlohmann::json::exception& error) {
-        throw InputError(origin + ": " + watch.path(), "malformed JSON (" + reason_of(error) + ")",
+        throw InputError(place(origin, watch.path()), "malformed JSON (" + reason_of(error) + ")",
                          "allowed: JSON text as RFC 8259 defines it, with finite numbers");
     }
 }

@@ -15,9 +15,12 @@ using fields::Field;
 using fields::Json;
 using fields::Origin;
 
+/// The shortest text that is this number, without ".0".
 std::string text(double x)
 {
-    return Json(x).dump();
+    constexpr double exact = 9007199254740992;
+    const bool integer = x == std::floor(x) && std::abs(x) < exact;
+    return integer ? std::to_string(static_cast<std::int64_t>(x)) : Json(x).dump();
 }
 
 class Checker
@@ -43,7 +46,7 @@ private:
     [[noreturn]] void refuse(const std::string& path, const std::string& what,
                              const std::string& allowed) const
     {
-        throw InputError(origin_ + ": " + path, what, "allowed: " + allowed);
+        throw InputError(fields::place(origin_, path), what, "allowed: " + allowed);
     }
     void require(bool good, const std::string& path, double value, const std::string& what,
                  const std::string& allowed) const

@@ -19,7 +19,7 @@ inline std::string_view name_of(Phase phase)
     return phase_names.at(static_cast<std::size_t>(phase));
 }
 
-static_assert(sizeof(Ledger) == 7 * 8);
+static_assert(sizeof(Ledger) == 7 * sizeof(double));
 template <class L, class Visitor>
 void visit_ledger(L& ledger, Visitor&& v)
 {
@@ -32,7 +32,7 @@ void visit_ledger(L& ledger, Visitor&& v)
     v("missed", ledger.missed);
 }
 
-static_assert(sizeof(AneurysmState) == 6 * 8);
+static_assert(sizeof(AneurysmState) == 6 * sizeof(double));
 template <class A, class Visitor>
 void visit_aneurysm(A& aneurysm, Visitor&& v)
 {
@@ -44,7 +44,7 @@ void visit_aneurysm(A& aneurysm, Visitor&& v)
     v("rupture_frame", aneurysm.rupture_frame);
 }
 
-static_assert(sizeof(FrameRecord) == 29 * 8 + sizeof(Ledger));
+static_assert(sizeof(FrameRecord) == 29 * sizeof(double) + sizeof(Ledger));
 template <class Record, class Visitor>
 void visit_record(Record& r, Visitor&& v)
 {

@@ -44,7 +44,7 @@ Handle in_memory(const Task& task)
 {
     constexpr std::size_t increment = std::size_t{1} << 20U;
     Handle access = property_list(H5P_FILE_ACCESS, task);
-    if (H5Pset_fapl_core(access.id(), increment, 0) < 0) {
+    if (H5Pset_fapl_core(access.id(), increment, static_cast<hbool_t>(false)) < 0) {
         task.fail("a file in memory");
     }
     return access;

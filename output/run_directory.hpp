@@ -46,6 +46,9 @@ public:
     static std::filesystem::path checkpoint_file(const std::filesystem::path& directory);
     static std::filesystem::path frames_file(const std::filesystem::path& directory);
 
+    /// Frames whose rows are complete.
+    std::int64_t frames() const { return frame_; }
+
     /// A row of frames.csv and of hashes.csv; `state` is that after the frame.
     void append(const FrameRecord& record, const SimulationState& state);
     void write_particles(std::int64_t frame, const ParticleFields& fields);

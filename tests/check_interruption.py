@@ -115,18 +115,22 @@ def check_killed():
 
 def check_full_disk():
     """A limit on file sizes fails like a full disk, and needs no root."""
-    directory = scratch / "full"
-    limit = (whole / "frames.csv").stat().st_size * 2 // 3  # more than any other file needs
-    expect(limit < (whole / "frames.csv").stat().st_size, "a limit that is reached")
-    write_scenario(scenario, output={"particles_every_frames": 0, "checkpoint_every_frames": 25})
-    _, err = run(scenario, "--out", directory, "--frames", frames, code=1, limit=limit)
+    directory, unlimited = scratch / "full", scratch / "unlimited"
+    write_scenario(scenario, output={"particles_every_frames": 0, "checkpoint_every_frames": 50})
+    run(scenario, "--out", unlimited, "--frames", 360)
+    limit = (unlimited / "frames.csv").stat().st_size - 4000  # the last rows don't fit, the checkpoints do
+    expect((unlimited / "checkpoint.h5").stat().st_size < limit, "a limit above the checkpoints expected")
+    _, err = run(scenario, "--out", directory, "--frames", 360, code=1, limit=limit)
     expect(err.count("\n") == 1 and str(directory) in err and "File too large" in err, f"one line expected: {err}")
     expect(manifest(directory)["status"] == "failed", "failed expected")
     text = (directory / "frames.csv").read_text()
     expect(text.endswith("\n") and len({line.count(",") for line in text.splitlines()}) == 1, "whole rows expected")
-    leftovers = list(directory.glob("*.tmp"))
-    expect(not leftovers, f"no temporary files expected: {leftovers}")
-    expect(rows(directory) > 0, "rows expected")
+    expect(not list(directory.glob("*.tmp")), "no temporary files expected")
+    expect(300 <= rows(directory) < 360, f"an end after the last checkpoint expected: {rows(directory)}")
+    run("--resume", "--out", directory, "--frames", 360)
+    for name in ("frames.csv", "hashes.csv", "checkpoint.h5"):
+        same = (directory / name).read_bytes() == (unlimited / name).read_bytes()
+        expect(same, f"after the full disk: the same bytes expected in {name}")
 
 
 def check_blow_up():

@@ -71,12 +71,12 @@ bool refused_with(std::string_view path, const Json& value)
 BOOST_AUTO_TEST_CASE(the_table_has_every_member_once)
 {
     Scenario s;
-    std::size_t size = sizeof(s.assumed);
+    std::size_t size = sizeof(s.assumed); // NOLINT(bugprone-sizeof-container)
     std::set<const void*> members;
     std::set<std::string_view> paths;
     fields::visit(s, [&](const fields::Field& field, auto& member) {
         constexpr bool is_enum = std::is_enum_v<std::remove_reference_t<decltype(member)>>;
-        size += is_enum ? alignof(double) : sizeof(member);
+        size += is_enum ? alignof(double) : sizeof(member); // NOLINT(bugprone-sizeof-container)
         BOOST_TEST(members.insert(&member).second);
         BOOST_TEST(paths.insert(field.path).second);
         BOOST_TEST(!field.doc.empty());
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(contradictions_are_refused)
     }));
     BOOST_TEST(refuses("particles.count", [](Scenario& s) { s.particles.count = 20; }));
     BOOST_TEST(refuses("inlet.table_time_s", [](Scenario& s) { s.inlet.waveform = Waveform::table; }));
-    const auto table = [](std::vector<double> times, std::vector<double> velocities) {
+    const auto table = [](const std::vector<double>& times, const std::vector<double>& velocities) {
         return [times, velocities](Scenario& s) {
             s.inlet.waveform = Waveform::table;
             s.inlet.table_time_s = times;

@@ -99,7 +99,11 @@ int parse_and_run(int argc, char** argv)
 int main(int argc, char** argv)
 {
     try {
-        return parse_and_run(argc, argv);
+        const int code = parse_and_run(argc, argv);
+        if (!std::cout.flush()) {
+            throw Error("standard output", "cannot be written", "needed: a place with enough space");
+        }
+        return code;
     } catch (const InputError& error) {
         std::cerr << "aneurysm: " << error.what() << "\n";
         return bad_input;

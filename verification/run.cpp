@@ -137,6 +137,7 @@ public:
         }
     }
 
+    std::int64_t frame() const { return backend_.state().frame; }
     double frames_per_second() const { return progress_.frames_per_second(backend_.state().frame); }
 
 private:
@@ -165,13 +166,17 @@ private:
 };
 
 /// The run has failed; keep what there is and say why. A second failure (the same full disk) must not hide
-/// the first.
-void save_failed(Loop& loop, RunDirectory& directory, const std::string& message, bool with_state)
+/// the first. A state whose row didn't make it into frames.csv is none to go on from; the checkpoint before
+/// it is.
+void save_failed(Loop& loop, RunDirectory& directory, const std::string& message)
 {
     try {
-        if (with_state) {
+        if (loop.frame() == directory.frames()) {
             loop.save_state();
         }
+    } catch (const Error&) { // NOLINT(bugprone-empty-catch)
+    }
+    try {
         directory.close(RunStatus::failed, message);
     } catch (const Error&) { // NOLINT(bugprone-empty-catch)
     }
@@ -202,11 +207,8 @@ int run(const RunOptions& options)
         Loop loop(start, *backend, directory);
         try {
             complete = loop.run();
-        } catch (const SimulationError& error) {
-            save_failed(loop, directory, error.what(), true);
-            throw;
         } catch (const Error& error) {
-            save_failed(loop, directory, error.what(), false);
+            save_failed(loop, directory, error.what());
             throw;
         }
         rate = loop.frames_per_second();
