@@ -5,7 +5,7 @@ set -eu
 cd "$(dirname "$0")"
 
 cmake/install_dependencies.sh cmake/dependencies
-cmake --preset release --log-level=WARNING
+cmake --preset release --log-level=WARNING >/dev/null
 cmake --build --preset release --target aneurysm -- --quiet
 
 out=results/paper_tc1

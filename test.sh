@@ -18,7 +18,7 @@ esac
 cmake/install_dependencies.sh cmake/dependencies cmake/dependencies-test
 for preset in release sanitize; do
     echo "== $preset"
-    cmake --preset $preset --log-level=WARNING
+    cmake --preset $preset --log-level=WARNING >/dev/null
     cmake --build --preset $preset -- --quiet
     case $preset in
     release) ctest --preset $preset ;;

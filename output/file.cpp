@@ -140,19 +140,23 @@ LineFile::LineFile(fs::path file, Mode mode)
       descriptor_(::open(file_.c_str(),
                          O_RDWR | O_APPEND | O_CLOEXEC | (mode == Mode::create ? O_CREAT | O_EXCL : 0), 0666))
 {
+    const auto fail = [this](const std::string& why) {
+        throw InputError(file_.string(), "cannot be written (" + why + ")", "needed: a writable place");
+    };
     if (descriptor_ < 0) {
-        fail_write(file_);
+        fail(reason());
     }
     struct stat status {
     };
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 || ::fstat(descriptor_, &status) != 0) {
         const bool locked = errno == EWOULDBLOCK;
+        const std::string why = reason();
         ::close(std::exchange(descriptor_, -1));
         if (locked) {
             throw InputError(file_.string(), "another run writes here",
                              "needed: wait for it, or another --out");
         }
-        fail_write(file_);
+        fail(why);
     }
     size_ = status.st_size;
 }

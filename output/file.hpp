@@ -26,7 +26,7 @@ class LineFile
 {
 public:
     enum class Mode { create, append };
-    /// \throws Error; also when another process has the file open as a LineFile
+    /// \throws InputError; also when another process has the file open as a LineFile
     LineFile(std::filesystem::path file, Mode mode);
     ~LineFile();
     LineFile(LineFile&& other) noexcept;
