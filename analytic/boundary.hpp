@@ -70,8 +70,8 @@ double displacement_driven(const Oscillator& wall, double F, double O, double t)
 /// The error is that of the angle, n theta u, and of ten operations.
 Estimate displacement_after_steps(const Oscillator& wall, double F, double G, double O, double dt, int n);
 
-/// Eq. (28)  v^2/2 + w^2 x^2/2 - dt/2 w^2 x v, x = u - F/k: what those steps conserve [m^2/s^2].
-double step_invariant(const Oscillator& wall, double F, double dt, double u, double v);
+/// Eq. (28)  v^2/2 + w^2 x^2/2 - dt/2 w^2 x v, x = displaced - F/k: what those steps conserve [m^2/s^2].
+double step_invariant(const Oscillator& wall, double F, double dt, double displaced, double v);
 
 /// Fig. 1  The velocity mirrored at the tangential plane: (I - 2 n n^T) v [m/s].
 Eigen::Vector3d mirrored(const Eigen::Vector3d& v, const Eigen::Vector3d& n);

@@ -3,6 +3,7 @@
 
 #include "analytic/kernel_function.hpp"
 
+#include <array>
 #include <numbers>
 #include <vector>
 
@@ -102,8 +103,8 @@ std::vector<double> sums_of_three_squares(int size)
     counts[0] = 1;
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> more = counts; // the square 0
-        for (int i = 1; i * i < size; ++i) {
-            const auto square = static_cast<std::size_t>(i * i);
+        for (std::size_t i = 1; i * i < counts.size(); ++i) {
+            const std::size_t square = i * i;
             for (std::size_t s = square; s < counts.size(); ++s) {
                 more[s] += 2 * counts[s - square];
             }
@@ -126,19 +127,19 @@ Estimate kernel_sum(const Lattice& l, const Vector3d& k, const Vector3d& r)
 
 VectorEstimate gradient_sum(const Lattice& l, const Vector3d& k)
 {
-    Sum sums[3];
+    std::array<Sum, 3> sums;
     for_points_around(Vector3d::Zero(), l.dx, 2 * l.h, [&](const Vector3d& x) {
         if (x.norm() > 0) {
             const Vector3d gradient = kernel_slope(l.kernel, l.h, x.norm()) * x.normalized();
-            for (int a = 0; a < 3; ++a) {
-                sums[a].add(gradient(a), std::sin(k.dot(x)));
+            for (std::size_t a = 0; a < 3; ++a) {
+                sums.at(a).add(gradient(static_cast<Eigen::Index>(a)), std::sin(k.dot(x)));
             }
         }
     });
     VectorEstimate G;
-    for (int a = 0; a < 3; ++a) {
-        G.value(a) = sums[a].value;
-        G.error = std::max(G.error, sums[a].error(steepest(l)));
+    for (std::size_t a = 0; a < 3; ++a) {
+        G.value(static_cast<Eigen::Index>(a)) = sums.at(a).value;
+        G.error = std::max(G.error, sums.at(a).error(steepest(l)));
     }
     return G;
 }

@@ -57,8 +57,8 @@ FAULTS = [
     ("reference/growth.hpp", "/// Eq. (21)", "/// Equation 21", "Eq. (21)"),
     ("reference/growth.hpp", "radius_increment", "radius_growth", "Eq. (21)"),
     ("reference/growth.hpp", "/// Eq. (18)", "/// Eq. (17)", "Eq. (17)"),
-    ("analytic/boundary.hpp", "Eq. (26)", "the outlet's pressure", "Eq. (26)"),
-    ("tests/test_growth.cpp", "(eq23_", "(thinning_", "Eq. (23)"),
+    ("analytic", "Eq. (26)", "the outlet's pressure", "Eq. (26)"),
+    ("tests", "(eq23_", "(thinning_", "Eq. (23)"),
     ("common/equations.hpp", '{"EOS", ', '{"29", ', "EOS"),
 ]
 

@@ -19,21 +19,22 @@ def sources(root, room):
 
 
 def planted(root, check, faults):
-    """Findings about `check` itself: faults (file, old text, new text, expected in the finding) that it misses."""
+    """Findings about `check` itself: faults (file or room, old text, new text, expected in the finding) it misses."""
     missed = []
-    for file, old, new, expected in faults:
+    for place, old, new, expected in faults:
         with tempfile.TemporaryDirectory() as folder:
             copy = Path(folder)
             for room in ROOMS:
                 if (root / room).is_dir():
                     shutil.copytree(root / room, copy / room)
-            text = (copy / file).read_text(encoding="utf-8")
-            if old not in text:
-                missed.append(f"{file}: nothing to plant a fault in: {old!r}")
+            texts = {p: p.read_text(encoding="utf-8") for p in (sources(copy, place) or [copy / place])}
+            if not any(old in text for text in texts.values()):
+                missed.append(f"{place}: nothing to plant a fault in: {old!r}")
                 continue
-            (copy / file).write_text(text.replace(old, new), encoding="utf-8")
+            for file, text in texts.items():
+                file.write_text(text.replace(old, new), encoding="utf-8")
             if not any(expected in finding for finding in check(copy)):
-                missed.append(f"{file}: {old!r} -> {new!r} was not found")
+                missed.append(f"{place}: {old!r} -> {new!r} was not found")
     return missed
 
 

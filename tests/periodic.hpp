@@ -105,10 +105,8 @@ inline std::vector<Mode> modes(int N)
 
 inline std::vector<Vec3> times(const std::vector<double>& values, const Eigen::Vector3d& v)
 {
-    std::vector<Vec3> result;
-    for (const double value : values) {
-        result.push_back(value * to_vec3(v));
-    }
+    std::vector<Vec3> result(values.size());
+    std::ranges::transform(values, result.begin(), [&](double value) { return value * to_vec3(v); });
     return result;
 }
 
@@ -132,11 +130,15 @@ struct RandomCloud {
         constexpr double dx = 0.013;
         std::mt19937_64 bits(2439);
         const auto random = [&] { return 2 * std::ldexp(static_cast<double>(bits() >> 11), -53) - 1; };
+        const auto random_vector = [&] {
+            return Eigen::Vector3d{random(), random(), random()};
+        }; // braces: in order
         analytic::Cloud c{name, 1.1 * dx, N * dx, {}, {}, {}, {}, {}, {}};
         for (int n = 0; n < N * N * N; ++n) {
-            const Eigen::Vector3d cell(n % N, n / N % N, n / (N * N));
-            c.position.push_back(dx * (cell + jitter * Eigen::Vector3d(random(), random(), random())));
-            c.velocity.emplace_back(random(), random(), random());
+            const std::array<int, 3> cell{n % N, n / N % N, n / (N * N)};
+            c.position.emplace_back(dx *
+                                    (Eigen::Vector3d(cell[0], cell[1], cell[2]) + jitter * random_vector()));
+            c.velocity.emplace_back(random_vector());
             c.mass.push_back(1050 * dx * dx * dx * (1 + 0.1 * random()));
             c.density.push_back(1050 * (1 + 0.05 * random()));
             c.pressure.push_back(500 * (1 + random()));

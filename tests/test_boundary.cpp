@@ -23,8 +23,8 @@ constexpr double T = 0.8;
 const std::vector<double> table_time{0, 0.1, 0.25, 0.5};
 const std::vector<double> table_velocity{0.05, 0.4, -0.1, 0.02};
 
-const Waveform formulas[] = {Waveform::sine, Waveform::rectified_sine, Waveform::raised_sine,
-                             Waveform::constant};
+const std::array formulas{Waveform::sine, Waveform::rectified_sine, Waveform::raised_sine,
+                          Waveform::constant};
 
 const auto inlet = [](Waveform waveform, double t) {
     return reference::inlet_velocity(waveform, v_0, T, t, table_time, table_velocity);

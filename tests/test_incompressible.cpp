@@ -145,12 +145,12 @@ BOOST_AUTO_TEST_CASE(eq03_diverges_above_the_relaxation_limit_and_not_below)
     BOOST_TEST(limit <= 2 / worst);
     const auto grows = [&](double omega) {
         const auto rho = compressed(flow, mode, 1e-3);
-        IncompressibleReport report[2];
+        std::array<IncompressibleReport, 2> report;
         for (const int n : {20, 21}) {
             std::vector<double> p(rho.size(), 1e9); // none is clamped
             std::vector<Vec3> a(rho.size());
-            report[n - 20] = reference::solve_incompressibility(flow.bodies, flow.neighbors, rho, dt,
-                                                                {rho_0, omega, 1, 0, 0, n}, p, a);
+            report.at(static_cast<std::size_t>(n - 20)) = reference::solve_incompressibility(
+                flow.bodies, flow.neighbors, rho, dt, {rho_0, omega, 1, 0, 0, n}, p, a);
         }
         return report[1].residual_max > report[0].residual_max;
     };

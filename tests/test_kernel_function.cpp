@@ -4,6 +4,7 @@
 #include "reference/kernel_function.hpp"
 #include "tests/support.hpp"
 
+#include <array>
 #include <vector>
 
 using namespace aneurysm;
@@ -15,7 +16,7 @@ namespace
 constexpr double h = 0.037;
 constexpr double fault = 1e-12;
 
-const KernelName both[] = {KernelName::cubic_spline, KernelName::wendland_c2};
+const std::array both{KernelName::cubic_spline, KernelName::wendland_c2};
 
 /// Radii across the support, the breaks and their neighbours included.
 std::vector<double> radii()

@@ -22,7 +22,7 @@ std::vector<Vec3> forces(const PeriodicLattice& flow, const std::vector<double>&
     std::vector<Vec3> F;
     for (std::size_t i = 0; i < flow.bodies.size(); ++i) {
         const auto near = flow.neighbors.of(i);
-        F.push_back(momentum_force(flow.rho, gravity,
+        F.push_back(momentum_force(PeriodicLattice::rho, gravity,
                                    reference::viscosity_force(flow.bodies, near, flow.density, mu, i),
                                    reference::pressure_force(flow.bodies, near, flow.density, pressure, i)));
     }
@@ -40,10 +40,8 @@ BOOST_AUTO_TEST_CASE(eq01_force_of_a_wave_is_that_of_its_symbols)
             const auto c = flow.wave(n);
             const auto s = flow.sine(n);
             flow.bodies.velocity = times(c, wave.v_1);
-            std::vector<double> p;
-            for (const double value : c) {
-                p.push_back(wave.p_1 * value);
-            }
+            std::vector<double> p(c.size());
+            std::ranges::transform(c, p.begin(), [&](double value) { return wave.p_1 * value; });
             const auto F = forces(flow, p, to_vec3(g), momentum_force);
             // once the oracle's bound at the crest, twice the reference's as in test_blood_flow.cpp
             const double allowed = 3 * analytic::momentum_force(flow.medium, mu, g, wave, 1, 1).error;
@@ -81,7 +79,7 @@ BOOST_AUTO_TEST_CASE(eq15_shear_wave_decays_by_its_rate)
         for (int step = 0; step < steps; ++step) {
             const auto F = forces(flow, no_pressure, {}, reference::momentum_force);
             for (std::size_t i = 0; i < F.size(); ++i) {
-                flow.bodies.velocity[i] += dt * acceleration(flow.rho, F[i]);
+                flow.bodies.velocity[i] += dt * acceleration(PeriodicLattice::rho, F[i]);
             }
         }
         // a step adds the error of dt times the rate, once for the oracle and twice for the reference, and 5
@@ -146,13 +144,13 @@ double sound_acceleration(const Mode& n, const Vector3d& a, double A, double kap
     for (std::size_t i = 0; i < s.size(); ++i) {
         flow.bodies.position[i] += A * s[i] * to_vec3(a);
     }
-    const double L = 8 * flow.dx;
+    const double L = 8 * PeriodicLattice::dx;
     const reference::Neighbors neighbors(flow.bodies, flow.kernel, {L, L, L});
     std::vector<double> rho;
     std::vector<double> p;
     for (std::size_t i = 0; i < s.size(); ++i) {
         rho.push_back(reference::density(flow.bodies, neighbors.of(i)));
-        p.push_back(equation_of_state(kappa, rho[i], flow.rho));
+        p.push_back(equation_of_state(kappa, rho[i], PeriodicLattice::rho));
     }
     const auto crest = static_cast<std::size_t>(std::ranges::max_element(s) - s.begin());
     const Vec3 F = reference::momentum_force(
