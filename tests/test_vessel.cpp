@@ -261,10 +261,11 @@ BOOST_AUTO_TEST_CASE(every_point_belongs_to_its_nearest_tube_and_is_cut_off_at_i
     const auto nearest = [](const Vessel& vessel, const Vec3& x) { return vessel.nearest_tube(x); };
     const auto between = [](const Vessel& vessel, const Vec3& x) { return vessel.between_openings(x); };
     BOOST_TEST(holds(nearest, between));
-    BOOST_TEST(
-        !holds([](const Vessel&, const Vec3& x) { return x.y < 0   ? 0U
-                                                         : x.x < 0 ? 1U
-                                                                   : 2U; }, between));
+    const auto by_quadrant = [](const Vessel&, const Vec3& x) {
+        const std::size_t daughter = x.x < 0 ? 1 : 2;
+        return x.y < 0 ? 0 : daughter;
+    };
+    BOOST_TEST(!holds(by_quadrant, between));
     BOOST_TEST(!holds(nearest, [](const Vessel& vessel, const Vec3& x) { // the second daughter has no end
         return vessel.nearest_tube(x) == 2 || vessel.between_openings(x);
     }));
@@ -272,7 +273,7 @@ BOOST_AUTO_TEST_CASE(every_point_belongs_to_its_nearest_tube_and_is_cut_off_at_i
 
 BOOST_AUTO_TEST_CASE(distance_to_a_tube_is_that_of_a_cylinder_with_the_radius_of_eq24)
 {
-    const auto holds = [](auto tubes) {
+    const auto holds = [](auto lumen) {
         return for_all_vessels([&](const Scenario& scenario, const Vessel& vessel) {
             const double r_0 = scenario.vessel.radius_m;
             const double r_1 = std::pow(r_0 * r_0 * r_0 / 2, 1.0 / 3);
@@ -287,7 +288,7 @@ BOOST_AUTO_TEST_CASE(distance_to_a_tube_is_that_of_a_cylinder_with_the_radius_of
                     // near its end the other tubes are farther away than the blend is wide
                     const Vec3 x = (1 - 0.1 * random.between(0, 1)) * o.center +
                                    r * (std::cos(angle) * u + Vec3{0, 0, std::sin(angle)});
-                    good = good && within(tubes(vessel, x), r - radius, distance_rounding);
+                    good = good && within(lumen(vessel, x), r - radius, distance_rounding);
                 }
             }
             return good;
