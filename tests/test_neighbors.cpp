@@ -118,3 +118,47 @@ BOOST_AUTO_TEST_CASE(neighbors_of_no_bodies_are_none)
 
     BOOST_CHECK_NO_THROW(reference::Neighbors(none, kernel));
 }
+
+BOOST_AUTO_TEST_CASE(neighbors_carry_the_kernels_of_their_own_pair)
+{
+    const Vec3 box{3.5, 3, 4.7};
+    const Bodies b = cloud(11, 200, box);
+    for (const KernelName name : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+        const reference::Kernel W(name, 0.5);
+        const reference::Neighbors neighbors(b, W, box);
+        // the same operations on the same numbers, so the same bits
+        const auto holds = [&](auto pair) {
+            for (std::size_t i = 0; i < b.size(); ++i) {
+                for (const reference::Neighbor& n : neighbors.of(i)) {
+                    const Vec3 d = b.position[i] - b.position[n.j];
+                    const Vec3 x{image(d.x, box.x), image(d.y, box.y), image(d.z, box.z)};
+                    const reference::Neighbor found = pair(n);
+                    if (found.W != W.value(length(x)) || found.grad_W != W.gradient(x) ||
+                        found.lap_W != reference::viscosity_laplacian(length(x), W.support())) {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        };
+        BOOST_TEST(holds([](const reference::Neighbor& n) { return n; }));
+        BOOST_TEST(!holds([](const reference::Neighbor& n) { // of j instead of i
+            return reference::Neighbor{n.j, n.W, -n.grad_W, n.lap_W};
+        }));
+        BOOST_TEST(!holds([](const reference::Neighbor& n) {
+            return reference::Neighbor{n.j, n.W * (1 + 1e-15), n.grad_W, n.lap_W};
+        }));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(neighbors_are_the_same_for_bodies_that_left_the_periodic_box)
+{
+    const Vec3 box{3.5, 3, 4.5};
+    Bodies b = cloud(13, 200, box);
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        const double boxes = static_cast<double>(i % 5) - 2;
+        b.position[i] += Vec3{boxes * box.x, -boxes * box.y, boxes * box.z};
+    }
+    BOOST_TEST(equal_all_pairs({b, kernel, box}, b, box));
+    BOOST_TEST(!equal_all_pairs({b, kernel, {box.x, box.y, 0}}, b, box));
+}
