@@ -1,148 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a run leaves on disk: complete, exact, and whole when something fails.
-#include "common/error.hpp"
 #include "common/hash.hpp"
-#include "output/columns.hpp"
 #include "output/frames.hpp"
 #include "output/hdf5.hpp"
 #include "output/run_directory.hpp"
+#include "tests/files.hpp"
 
-#include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
-
-#include <bit>
-#include <cmath>
-#include <fstream>
-#include <limits>
-#include <random>
-#include <sstream>
 
 using namespace aneurysm;
 using namespace aneurysm::output;
-namespace fs = std::filesystem;
+using namespace aneurysm::test;
 
 namespace
 {
 
-/// A directory of its own for each test, gone afterwards.
-struct Scratch {
-    Scratch() : path(fs::temp_directory_path() / ("aneurysm_" + std::to_string(std::random_device{}())))
-    {
-        fs::create_directory(path);
-    }
-    ~Scratch() { fs::remove_all(path); }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    fs::path path;
-};
-
 const Engine engine{"reference", "double", "a test"};
-
-Scenario scenario()
-{
-    return read_scenario(fs::path(ANEURYSM_DATA) / "scenarios/quick.json");
-}
-
-std::string text_of(const fs::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
-void write_text(const fs::path& file, const std::string& text)
-{
-    std::ofstream(file, std::ios::binary) << text;
-}
-
-/// Any bits that make a number, the smallest and the negative zero included.
-class Numbers
-{
-public:
-    double next()
-    {
-        constexpr std::array special{-0.0, 5e-324, 1.7976931348623157e308, 0.1, -1.0 / 3};
-        if (count_++ % 7 == 0) {
-            return special.at(count_ % special.size());
-        }
-        double x = std::numeric_limits<double>::quiet_NaN();
-        while (!std::isfinite(x)) {
-            x = std::bit_cast<double>(engine_());
-        }
-        return x;
-    }
-    std::int64_t integer() { return static_cast<std::int64_t>(engine_()); }
-    Vec3 vector()
-    {
-        const double x = next();
-        const double y = next();
-        return {x, y, next()};
-    }
-
-private:
-    std::mt19937_64 engine_{1};
-    std::size_t count_ = 0;
-};
-
-void set(Numbers& numbers, double& x)
-{
-    x = numbers.next();
-}
-void set(Numbers& numbers, std::int64_t& x)
-{
-    x = numbers.integer();
-}
-void set(Numbers&, Phase& x)
-{
-    x = Phase::fully_developed;
-}
-
-SimulationState any_state(std::int64_t frame, std::size_t count = 50)
-{
-    Numbers numbers;
-    SimulationState s;
-    s.frame = frame;
-    s.spacing = numbers.next();
-    s.particles.mass = numbers.next();
-    for (std::size_t i = 0; i < count; ++i) {
-        s.particles.position.push_back(numbers.vector());
-        s.particles.velocity.push_back(numbers.vector());
-        s.particles.pressure.push_back(numbers.next());
-        s.particles.kind.push_back(static_cast<Kind>(i % 6));
-    }
-    visit_aneurysm(s.aneurysm, [&](std::string_view, auto& x) { set(numbers, x); });
-    visit_ledger(s.ledger, [&](std::string_view, auto& x) { set(numbers, x); });
-    s.outlet_velocity[0] = numbers.next();
-    s.outlet_velocity[1] = numbers.next();
-    return s;
-}
-
-FrameRecord any_record(std::int64_t frame)
-{
-    Numbers numbers;
-    FrameRecord r;
-    visit_record(r, [&](std::string_view, auto& x) { set(numbers, x); });
-    r.frame = frame;
-    return r;
-}
-
-template <class Action>
-std::string message_of(Action action)
-{
-    try {
-        action();
-    } catch (const Error& error) {
-        BOOST_TEST_MESSAGE(error.what());
-        return error.what();
-    }
-    return "";
-}
-
-bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 } // namespace
 
@@ -175,124 +48,6 @@ BOOST_AUTO_TEST_CASE(rows_come_back_to_the_same_bits)
     BOOST_TEST(contains(message_of([&] { read_frames(file); }), "line 2"));
     write_text(file, "frame\n1\n");
     BOOST_TEST(contains(message_of([&] { read_frames(file); }), "line 1"));
-}
-
-BOOST_AUTO_TEST_CASE(every_field_is_in_the_hash)
-{
-    const SimulationState s = any_state(7);
-    const auto changes = [&s](auto change) {
-        SimulationState other = s;
-        change(other);
-        return state_hash(other) != state_hash(s);
-    };
-    BOOST_TEST(!changes([](SimulationState&) {}));
-    BOOST_TEST(changes([](SimulationState& o) { ++o.frame; }));
-    BOOST_TEST(changes([](SimulationState& o) { o.spacing = 1; }));
-    BOOST_TEST(changes([](SimulationState& o) { o.particles.mass = 1; }));
-    BOOST_TEST(changes([](SimulationState& o) { o.particles.position.back().z = 1; }));
-    BOOST_TEST(changes([](SimulationState& o) { o.particles.velocity.front().x = 1; }));
-    BOOST_TEST(changes([](SimulationState& o) { o.particles.pressure.back() = 1; }));
-    BOOST_TEST(changes([](SimulationState& o) { o.particles.kind.front() = Kind::escaped; }));
-    BOOST_TEST(changes([](SimulationState& o) { o.outlet_velocity[1] = 1; }));
-    BOOST_TEST(changes([](SimulationState& o) { o.aneurysm.phase = Phase::ruptured; }));
-    BOOST_TEST(changes([](SimulationState& o) { ++o.aneurysm.rupture_frame; }));
-    BOOST_TEST(changes([](SimulationState& o) { ++o.ledger.missed; }));
-}
-
-BOOST_AUTO_TEST_CASE(a_checkpoint_comes_back_to_the_same_bits)
-{
-    const Scratch scratch;
-    const fs::path file = scratch.path / "checkpoint.h5";
-    const SimulationState s = any_state(123);
-    write_checkpoint(file, scenario(), s);
-    const Checkpoint c = read_checkpoint(file);
-    BOOST_TEST(to_json(c.scenario) == to_json(scenario()));
-    BOOST_TEST(state_hash(c.state) == state_hash(s));
-    BOOST_TEST(c.state.frame == 123);
-    BOOST_TEST((c.state.particles.position == s.particles.position));
-    BOOST_TEST((c.state.particles.kind == s.particles.kind));
-    const std::string bytes = text_of(file);
-    write_checkpoint(file, scenario(), s);
-    BOOST_TEST((text_of(file) == bytes));
-}
-
-BOOST_AUTO_TEST_CASE(a_damaged_checkpoint_is_refused)
-{
-    const Scratch scratch;
-    const fs::path file = scratch.path / "checkpoint.h5";
-    const SimulationState s = any_state(123, 10);
-    write_checkpoint(file, scenario(), s);
-    const std::string good = text_of(file);
-    const auto refused = [&] {
-        const std::string message = message_of([&] { read_checkpoint(file); });
-        return message.starts_with(file.string() + ": ") && message.find('\n') == std::string::npos;
-    };
-    for (std::size_t size = 0; size < good.size(); size += 331) {
-        write_text(file, good.substr(0, size));
-        BOOST_TEST(refused(), "truncated to " << size);
-    }
-    for (std::size_t at = 0; at < good.size(); at += 41) {
-        std::string bad = good;
-        bad[at] = static_cast<char>(bad[at] ^ 1);
-        write_text(file, bad);
-        // Between the first line and HDF5's part there is nothing to damage.
-        BOOST_TEST((refused() || (at > 40 && at < 512)), "byte " << at);
-    }
-    write_text(file, "not HDF5 at all");
-    BOOST_TEST(refused());
-    fs::remove(file);
-    BOOST_TEST(refused());
-}
-
-BOOST_AUTO_TEST_CASE(a_foreign_checkpoint_is_refused)
-{
-    const Scratch scratch;
-    const fs::path file = scratch.path / "checkpoint.h5";
-    const auto message = [&] { return message_of([&] { read_checkpoint(file); }); };
-    const SimulationState s = any_state(1);
-    write_vtk(file, {s.particles, std::vector<double>(50, 1050)});
-    BOOST_TEST(contains(message(), "no checkpoint"));
-    write_checkpoint(file, scenario(), s);
-    const std::string good = text_of(file);
-    const std::string start = "aneurysm checkpoint ";
-    BOOST_REQUIRE(good.starts_with(start + "1 "));
-    write_text(file, start + "2" + good.substr(start.size() + 1));
-    BOOST_TEST(contains(message(), "another version (2)"));
-    BOOST_TEST(contains(message(), "version 1"));
-}
-
-BOOST_AUTO_TEST_CASE(a_file_of_hdf5_that_lacks_something_is_refused)
-{
-    const auto message = [](auto fill, auto read) {
-        const hdf5::File written("file");
-        fill(written.root());
-        const std::vector<std::byte> bytes = written.image();
-        const hdf5::File image(bytes, "file");
-        return message_of([&] { read(image.root()); });
-    };
-    const auto nothing = [](const hdf5::Group&) {};
-    const auto numbers = [](const hdf5::Group& root) {
-        const std::vector<double> values{1, 2, 3, 4};
-        root.write("x", std::span(values));
-        root.write_attribute("x", 1.5);
-    };
-    BOOST_TEST(contains(message(nothing, [](const auto& root) { root.open_group("x"); }), "cannot read x"));
-    BOOST_TEST(contains(message(nothing, [](const auto& root) { root.template read<double>("x"); }),
-                        "cannot read x"));
-    BOOST_TEST(
-        contains(message(numbers, [](const auto& root) { root.template read<std::int64_t>("x"); }), "type"));
-    BOOST_TEST(
-        contains(message(numbers, [](const auto& root) { root.template read<double>("x", 3); }), "columns"));
-    BOOST_TEST(contains(message(numbers, [](const auto& root) { root.read_text("x"); }), "string"));
-    BOOST_TEST(contains(message(numbers, [](const auto& root) { root.read_text_attribute("x"); }), "string"));
-    BOOST_TEST(contains(
-        message(numbers, [](const auto& root) { root.template read_attribute<std::int64_t>("x"); }), "type"));
-    BOOST_TEST(message(numbers, [](const auto& root) { root.template read<double>("x"); }).empty());
-    const std::vector<std::byte> none;
-    BOOST_TEST(contains(message_of([&] { const hdf5::File image(none, "file"); }), "empty"));
-    const std::vector<std::byte> garbage(1000, std::byte{7});
-    BOOST_TEST(
-        contains(message_of([&] { const hdf5::File image(garbage, "file"); }), "cannot read the file"));
 }
 
 BOOST_AUTO_TEST_CASE(an_atomic_write_that_fails_leaves_the_old_file)
