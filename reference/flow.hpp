@@ -36,8 +36,9 @@ public:
     /// \throws SimulationError with frame and particle
     void step(SimulationState& state, const Wall& wall, double t, FrameRecord& record);
 
-    /// Lets a fresh lattice find its place between the walls: (3) with the velocity set to 0 before each
-    /// step, so that overlaps are pushed apart and nothing else moves.
+    /// Lets a fresh lattice find its place between the walls: overlaps are pushed apart, and while the blood
+    /// stays denser than the solver's tolerance allows, the densest of it goes to the reserve: more was
+    /// sampled than fits.
     void settle(SimulationState& state, const Wall& wall) const;
 
     /// By particle, of the last step; rho_0 for what isn't blood [kg/m^3]
@@ -45,6 +46,8 @@ public:
 
 private:
     struct Step;
+    /// (3) with the velocity set to 0 before each step.
+    void push_apart(SimulationState& state, const Wall& wall) const;
     void check_stability() const;
     double inlet_velocity_at(double t) const;
     void drive_openings(SimulationState& state, double t, FrameRecord& record) const;

@@ -58,7 +58,9 @@ double dfsph_factor(const Bodies& b, std::span<const Neighbor> neighbors);
 ///
 /// by relaxed Jacobi iteration from the pressures given (the last step's),
 ///
-///     p_i <- max(0, p_i + omega rho_0^2 alpha_i residual_i / dt).
+///     p_i <- max(0, p_i + omega rho_0^2 alpha_i residual_i / dt);
+///
+/// spray, whose alpha_i is out of all proportion, has p_i = 0 and doesn't count.
 ///
 /// With beta = 1 the density is rho_0 after the step, with beta = 0 the velocity is divergence-free.
 ///

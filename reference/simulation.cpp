@@ -143,13 +143,16 @@ FrameRecord Simulation::advance()
     return record;
 }
 
-/// Blood that is far enough from the breach returns to the reserve.
+/// Blood that is far from the breach, or comes within sight of an open end's ghosts, returns to the reserve.
 void Simulation::recycle_escaped(SimulationState& state, const Wall& wall) const
 {
     const double far = scenario_.rupture.recycle_distance_radii * scenario_.vessel.radius_m;
     Particles& p = state.particles;
     for (std::size_t i = 0; wall.breach && i < p.size(); ++i) {
-        if (p.kind[i] == Kind::escaped && length(p.position[i] - wall.breach->center) > far) {
+        const Vec3& x = p.position[i];
+        const bool at_an_end =
+            vessel_.openings()[vessel_.nearest_tube(x)].beyond(x) > -flow_.kernel().support();
+        if (p.kind[i] == Kind::escaped && (at_an_end || length(x - wall.breach->center) > far)) {
             p.kind[i] = Kind::reserve;
             ++state.ledger.recycled;
         }

@@ -121,6 +121,22 @@ BOOST_AUTO_TEST_CASE(any_other_number)
     check_start(scenario_of(1999)); // between two layers of the lattice
 }
 
+// Its lattice holds more than fits between the walls: settling sends the surplus to the reserve.
+BOOST_AUTO_TEST_CASE(too_full_a_lattice)
+{
+    const Scenario scenario = scenario_of(2200);
+    reference::Simulation simulation(scenario);
+    const SimulationState start = simulation.state();
+    const FrameRecord first = simulation.advance();
+    const double largest = std::max(first.density_error_max, first.density_error_max_ends);
+    const auto sampled = sample_lattice(simulation.vessel(), start.aneurysm.radius, start.spacing).size();
+
+    BOOST_TEST(is_a_start(scenario, start));
+    BOOST_TEST(is_settled(scenario, first.density_error_mean, largest));
+    BOOST_TEST(start.particles.size() - sampled <
+               static_cast<std::size_t>(std::ranges::count(start.particles.kind, Kind::reserve)));
+}
+
 BOOST_AUTO_TEST_CASE(table_3_tc1)
 {
     check_start(scenario_of(5520));

@@ -206,7 +206,7 @@ BOOST_AUTO_TEST_CASE(phases_follow_one_another)
 {
     BOOST_TEST(passes_its_phases(quick_run()));
     BOOST_TEST(quick_run().frames.back().ledger.missed == 0);
-    BOOST_TEST_REQUIRE(rupture_of(quick_run()) < 150U);
+    BOOST_TEST_REQUIRE(rupture_of(quick_run()) + 20 < quick_run().frames.size()); // time to bleed
     BOOST_TEST(quick_run().states.back().aneurysm.rupture_frame ==
                static_cast<std::int64_t>(rupture_of(quick_run())));
     Run faulty = quick_run();
