@@ -385,7 +385,7 @@ void Flow::handle_collisions(SimulationState& state, const Wall& wall, FrameReco
 
 void Flow::settle(SimulationState& state, const Wall& wall) const
 {
-    constexpr int rounds = 10; // three are the most that 30 counts from 1,200 to 4,000 needed
+    constexpr int rounds = 10; // each takes out about what is left of the surplus
     // At rest a step finds nothing to correct once the mean excess is this; 1.001 leaves room for rounding.
     const double allowed = 1.001 * solver_.tolerance * dt_ / settling_correction;
     Particles& p = state.particles;
