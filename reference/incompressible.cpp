@@ -12,8 +12,8 @@ namespace
 {
 
 /// A body whose factor is this many times the smallest is spray, a drop with one or two others at the edge of
-/// its sight. Pressure can hardly move it and would be without bound; it has none. In full blood the ratio
-/// stays below 30.
+/// its sight. Pressure can hardly move it and would be without bound; it has none. In 600
+/// frames of paper_tc1 the ratio was at most 21.
 constexpr double spray = 1000;
 
 struct Statistics {
