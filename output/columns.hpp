@@ -66,7 +66,6 @@ void visit_record(Record& r, Visitor&& v)
     v("density_error_max", r.density_error_max);
     v("density_error_min", r.density_error_min);
     v("density_error_max_ends", r.density_error_max_ends);
-    v("density_error_max_ends", r.density_error_max_ends);
     v("divergence_mean_per_s", r.divergence_mean);
     v("divergence_max_per_s", r.divergence_max);
     v("residual_mean_per_s", r.residual_mean);

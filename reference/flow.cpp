@@ -191,7 +191,7 @@ void Flow::apply_forces(Step& step, const SimulationState& state) const
 }
 
 /// The blood's own pressure, by (3) or by the equation of state with (6); it changes the velocity.
-void Flow::solve_pressure(Step& step, SimulationState& state, FrameRecord& record) const
+void Flow::solve_pressure(Step& step, SimulationState& state, FrameRecord& record)
 {
     Particles& p = state.particles;
     const Bodies& b = step.bodies;
@@ -208,6 +208,7 @@ void Flow::solve_pressure(Step& step, SimulationState& state, FrameRecord& recor
             p.pressure[i] = pressure[i];
         }
     }
+    solved_pressure_ = p.pressure;
     record.iterations += report.iterations;
     record.residual_mean = report.residual_mean;
     record.residual_max = report.residual_max;

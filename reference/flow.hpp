@@ -43,6 +43,8 @@ public:
 
     /// By particle, of the last step; rho_0 for what isn't blood [kg/m^3]
     const std::vector<double>& density() const { return density_; }
+    /// By particle, as the last step's solve left it, before the controller acted [Pa]
+    const std::vector<double>& solved_pressure() const { return solved_pressure_; }
 
 private:
     struct Step;
@@ -53,7 +55,7 @@ private:
     void drive_openings(SimulationState& state, double t, FrameRecord& record) const;
     Step make_step(const SimulationState& state, const Wall& wall) const;
     void apply_forces(Step& step, const SimulationState& state) const;
-    void solve_pressure(Step& step, SimulationState& state, FrameRecord& record) const;
+    void solve_pressure(Step& step, SimulationState& state, FrameRecord& record);
     IncompressibleReport solve_dfsph(const Step& step, const Particles& p, std::vector<double>& pressure,
                                      std::vector<Vec3>& a) const;
     IncompressibleReport solve_eos(const Step& step, const SimulationState& state,
@@ -73,6 +75,7 @@ private:
     Controller controller_;
     IncompressibleSettings solver_;
     std::vector<double> density_;
+    std::vector<double> solved_pressure_;
 };
 
 } // namespace aneurysm::reference

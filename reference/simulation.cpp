@@ -128,9 +128,12 @@ FrameRecord Simulation::advance()
     const double dt = scenario_.time.frame_s;
     record.time = static_cast<double>(record.frame) * dt;
     const Wall w = wall(next.aneurysm);
+    solved_pressure_.clear();
     for (std::int64_t s = 1; s <= scenario_.time.substeps; ++s) {
         const double part = static_cast<double>(s) / static_cast<double>(scenario_.time.substeps);
         flow_.step(next, w, (static_cast<double>(next.frame) + part) * dt, record);
+        solved_pressure_.insert(solved_pressure_.end(), flow_.solved_pressure().begin(),
+                                flow_.solved_pressure().end());
     }
     recycle_escaped(next, w);
     deform(next, record);

@@ -34,6 +34,8 @@ public:
     const SimulationState& state() const { return state_; }
     /// By particle, of the last flow step; rho_0 for what isn't blood [kg/m^3]
     const std::vector<double>& density() const { return flow_.density(); }
+    /// By flow step of the last frame and particle, as each solve left it [Pa]
+    const std::vector<double>& solved_pressure() const { return solved_pressure_; }
     const Vessel& vessel() const { return vessel_; }
 
 private:
@@ -51,6 +53,7 @@ private:
     Flow flow_;
     GhostLattice ghosts_;
     SimulationState state_;
+    std::vector<double> solved_pressure_;
 };
 
 } // namespace aneurysm::reference

@@ -24,6 +24,7 @@ public:
     FrameRecord advance() override { return simulation_.advance(); }
     const SimulationState& state() const override { return simulation_.state(); }
     const std::vector<double>& density() const override { return simulation_.density(); }
+    const std::vector<double>& solved_pressure() const override { return simulation_.solved_pressure(); }
 
 private:
     reference::Simulation simulation_;
@@ -31,9 +32,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<Backend> make_backend(const std::string& backend, const std::string& precision,
-                                      const Scenario& scenario, std::optional<SimulationState> state)
+std::unique_ptr<Backend> make_backend(const BackendChoice& choice, const Scenario& scenario,
+                                      std::optional<SimulationState> state)
 {
+    const auto& [backend, precision, threads, block_size] = choice;
     if (backend == "cpu" || backend == "cuda") {
         throw InputError("--backend", "not in this build (" + backend + ")", "allowed: reference");
     }

@@ -30,8 +30,8 @@ CLI::App* add_run(CLI::App& app, RunOptions& options)
     run->add_option("SCENARIO", options.scenario, "scenario file; with --resume it may be left out");
     run->add_option("--out", options.out,
                     "directory for the results; must not exist (default: results/NAME)");
-    run->add_option("--backend", options.backend, "who computes: reference")->capture_default_str();
-    run->add_option("--precision", options.precision, "double")->capture_default_str();
+    run->add_option("--backend", options.backend.name, "who computes: reference")->capture_default_str();
+    run->add_option("--precision", options.backend.precision, "double")->capture_default_str();
     run->add_option("--frames", options.frames, "run up to this frame instead of the scenario's last");
     run->add_flag("--resume", options.resume, "go on from the checkpoint in --out, to the same bits");
     run->footer("Examples:\n"

@@ -3,7 +3,7 @@
 
 #include "common/error.hpp"
 #include "output/frames.hpp"
-#include "verification/backend.hpp"
+#include "output/run_directory.hpp"
 #include "verification/interrupt.hpp"
 #include "verification/progress.hpp"
 #include "verification/summary.hpp"
@@ -91,7 +91,7 @@ std::unique_ptr<Backend> make_backend_for(const RunOptions& options, const Start
         state = start.checkpoint->state;
     }
     try {
-        return make_backend(options.backend, options.precision, start.scenario, std::move(state));
+        return make_backend(options.backend, start.scenario, std::move(state));
     } catch (const InputError& error) {
         const std::string text = error.what();
         const auto end = text.find("; ");
@@ -197,7 +197,7 @@ int run(const RunOptions& options)
 {
     const Start start = make_start(options);
     const std::unique_ptr<Backend> backend = make_backend_for(options, start);
-    const output::Engine engine{options.backend, options.precision, backend->device()};
+    const output::Engine engine{options.backend.name, options.backend.precision, backend->device()};
     const InterruptWatch watch;
     RunDirectory directory = start.checkpoint ? RunDirectory::resume(start.out, *start.checkpoint, engine)
                                               : RunDirectory::create(start.out, start.scenario, engine);

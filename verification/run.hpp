@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "verification/backend.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
 
 namespace aneurysm::verification
 {
@@ -12,8 +13,7 @@ namespace aneurysm::verification
 struct RunOptions {
     std::filesystem::path scenario; ///< may be empty with `resume`
     std::filesystem::path out;      ///< empty: results/NAME, by the scenario's name
-    std::string backend = "reference";
-    std::string precision = "double";
+    BackendChoice backend;
     std::optional<std::int64_t> frames; ///< instead of the scenario's
     bool resume = false;
 };
