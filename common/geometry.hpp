@@ -1,30 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/host_device.hpp"
 #include "common/scenario.hpp"
 #include "common/vec3.hpp"
 
 #include <array>
-#include <vector>
+#include <cmath>
+#include <cstddef>
 
 namespace aneurysm
 {
 
 /// Signed distance to a wall, negative inside the lumen, and its gradient, which points outwards.
-struct Distance {
-    double value = 0; ///< [m]
-    Vec3 gradient;    ///< of length 1, but a little less where surfaces are blended
+template <class Real>
+struct DistanceT {
+    Real value = 0;       ///< [m]
+    Vec3T<Real> gradient; ///< of length 1, but a little less where surfaces are blended
 };
+using Distance = DistanceT<double>;
 
 /// An open end of the artery.
-struct Opening {
-    Vec3 center;       ///< where the tube's axis meets the end plane [m]
-    Vec3 outward;      ///< unit vector along the axis, out of the artery
-    double radius = 0; ///< [m]
+template <class Real>
+struct OpeningT {
+    Vec3T<Real> center;  ///< where the tube's axis meets the end plane [m]
+    Vec3T<Real> outward; ///< unit vector along the axis, out of the artery
+    Real radius = 0;     ///< [m]
 
     /// How far x lies beyond the end plane [m]; negative inside.
-    double beyond(const Vec3& x) const { return dot(x - center, outward); }
+    ANEURYSM_HD Real beyond(const Vec3T<Real>& x) const { return dot(x - center, outward); }
 };
+using Opening = OpeningT<double>;
+
+/// Smooth union of two distances: their minimum, blended where they differ by less than `width`.
+template <class Real>
+ANEURYSM_HD DistanceT<Real> smooth_union(const DistanceT<Real>& a, const DistanceT<Real>& b, Real width)
+{
+    if (width <= 0 || std::abs(a.value - b.value) >= width) {
+        return a.value < b.value ? a : b;
+    }
+    const Real half = Real(1) / 2;
+    const Real s = half + half * (b.value - a.value) / width;
+    // d value / d s vanishes for this s, so the gradient is the same blend.
+    return {b.value + (a.value - b.value) * s - width * s * (1 - s), s * a.gradient + (1 - s) * b.gradient};
+}
 
 /// The branching artery with a sac at its apex, as a signed distance function (section 3.4, Table 2, Fig. 6).
 ///
@@ -38,47 +57,132 @@ struct Opening {
 ///   (assumed: the
 ///                             paper gives no length).
 /// Tubes and sac are joined by polynomial smooth unions. Radii are plain numbers: Murray's law is the
-/// caller's.
-class Vessel
+/// caller's. Every function that takes a place needs only + - * / and roots, so that it gives the same bits
+/// on a CPU and on a GPU.
+template <class Real>
+class VesselT
 {
 public:
-    Vessel(const Scenario& scenario, double daughter_radius);
+    using Vector = Vec3T<Real>;
+
+    VesselT(const Scenario& scenario, double daughter_radius);
+
+    /// The same vessel in another precision.
+    template <class Other>
+    explicit VesselT(const VesselT<Other>& v)
+        : shape_(v.shape_), junction_smoothing_(static_cast<Real>(v.junction_smoothing_)),
+          sac_smoothing_(static_cast<Real>(v.sac_smoothing_)), neck_ratio_(static_cast<Real>(v.neck_ratio_)),
+          largest_radius_(static_cast<Real>(v.largest_radius_)), center_(static_cast<Real>(v.center_)),
+          cone_sine_(static_cast<Real>(v.cone_sine_)), cone_cosine_(static_cast<Real>(v.cone_cosine_)),
+          apex_(static_cast<Real>(v.apex_))
+    {
+        const auto vector = [](const Vec3T<Other>& a) {
+            return Vector{static_cast<Real>(a.x), static_cast<Real>(a.y), static_cast<Real>(a.z)};
+        };
+        for (std::size_t k = 0; k < 3; ++k) {
+            const OpeningT<Other>& o = v.openings_[k];
+            openings_[k] = {vector(o.center), vector(o.outward), static_cast<Real>(o.radius)};
+        }
+    }
 
     /// Distance to the tubes alone [m].
-    Distance tubes(const Vec3& x) const;
+    ANEURYSM_HD DistanceT<Real> tubes(const Vector& x) const
+    {
+        return smooth_union(tube(0, x), smooth_union(tube(1, x), tube(2, x), junction_smoothing_),
+                            junction_smoothing_);
+    }
     /// Distance to the sac alone, at radius R [m]. Only with a sac.
-    Distance sac(const Vec3& x, double R) const;
+    ANEURYSM_HD DistanceT<Real> sac(const Vector& x, Real R) const
+    {
+        return shape_ == SacShape::piriform ? pear(x, R) : sphere(x, {0, center_height(R), 0}, R);
+    }
     /// Distance to the whole wall [m]. R is ignored without a sac.
-    Distance wall(const Vec3& x, double R) const;
+    ANEURYSM_HD DistanceT<Real> wall(const Vector& x, Real R) const
+    {
+        return has_sac() ? smooth_union(tubes(x), sac(x, R), sac_smoothing_) : tubes(x);
+    }
 
-    bool has_sac() const { return shape_ != SacShape::none; }
-    double apex() const { return apex_; }                     ///< y of the neck plane [m]
-    double largest_radius() const { return largest_radius_; } ///< R of the fully developed sac [m]
-    Vec3 dome(double R) const;                                ///< the sac's highest point [m]
+    ANEURYSM_HD bool has_sac() const { return shape_ != SacShape::none; }
+    ANEURYSM_HD Real apex() const { return apex_; } ///< y of the neck plane [m]
+    /// R of the fully developed sac [m]
+    ANEURYSM_HD Real largest_radius() const { return largest_radius_; }
+    /// The sac's highest point [m]
+    ANEURYSM_HD Vector dome(Real R) const { return {0, center_height(R) + R, 0}; }
 
     /// 0: inlet; 1, 2: outlets at -x and +x.
-    const std::array<Opening, 3>& openings() const { return openings_; }
+    ANEURYSM_HD const std::array<OpeningT<Real>, 3>& openings() const { return openings_; }
     /// The tube whose wall or axis is nearest to x; the only opening that x can be beyond.
-    std::size_t nearest_tube(const Vec3& x) const;
+    ANEURYSM_HD std::size_t nearest_tube(const Vector& x) const
+    {
+        std::size_t nearest = 0;
+        Real least = tube(0, x).value;
+        for (std::size_t k = 1; k < 3; ++k) {
+            const Real distance = tube(k, x).value;
+            if (distance < least) {
+                least = distance;
+                nearest = k;
+            }
+        }
+        return nearest;
+    }
     /// Whether x is on the artery's side of its nearest tube's end plane.
-    bool between_openings(const Vec3& x) const;
+    ANEURYSM_HD bool between_openings(const Vector& x) const
+    {
+        return openings_[nearest_tube(x)].beyond(x) <= 0;
+    }
 
 private:
-    Distance tube(std::size_t k, const Vec3& x) const;
-    double body_center_height(double R) const;
+    template <class Other>
+    friend class VesselT;
+
+    ANEURYSM_HD static DistanceT<Real> sphere(const Vector& x, const Vector& center, Real radius)
+    {
+        const Vector offset = x - center;
+        const Real r = length(offset);
+        return {r - radius, r > 0 ? offset / r : Vector{0, 1, 0}};
+    }
+    /// A tube is a half-infinite cylinder with a spherical end at the origin; the openings only cut the
+    /// blood.
+    ANEURYSM_HD DistanceT<Real> tube(std::size_t k, const Vector& x) const
+    {
+        const Vector& axis = openings_[k].outward;
+        const Real along = dot(x, axis);
+        return sphere(x, (along > 0 ? along : Real(0)) * axis, openings_[k].radius);
+    }
+    ANEURYSM_HD Real center_height(Real R) const { return apex_ + center_ * R; }
+
+    /// Convex hull of two spheres on the y axis: the neck's at the apex, and one of radius R above it.
+    ANEURYSM_HD DistanceT<Real> pear(const Vector& x, Real R) const
+    {
+        const Real r_neck = neck_ratio_ * R * cone_cosine_;
+        const Real H = center_ * R;
+        const Real across = std::sqrt(x.x * x.x + x.z * x.z);
+        const Real along = x.y - apex_;
+        // Height at which the normal of the flank through x starts on the axis.
+        const Real foot = along + across * (cone_sine_ / cone_cosine_);
+        if (foot <= 0) {
+            return sphere(x, {0, apex_, 0}, r_neck);
+        }
+        if (foot >= H) {
+            return sphere(x, {0, apex_ + H, 0}, R);
+        }
+        const Vector radial = across > 0 ? Vector{x.x / across, 0, x.z / across} : Vector{1, 0, 0};
+        return {across * cone_cosine_ - along * cone_sine_ - r_neck,
+                Vector{cone_cosine_ * radial.x, -cone_sine_, cone_cosine_ * radial.z}};
+    }
 
     SacShape shape_;
-    double parent_radius_;
-    double junction_smoothing_;
-    double sac_smoothing_;
-    std::array<Opening, 3> openings_;
-    double neck_ratio_ = 0; ///< neck half width / R
-    double largest_radius_ = 0;
-    double cone_angle_ = 0; ///< of the pear's flank against its axis [rad]
-    double apex_ = 0;
+    Real junction_smoothing_;
+    Real sac_smoothing_;
+    std::array<OpeningT<Real>, 3> openings_;
+    Real neck_ratio_ = 0; ///< neck half width / R
+    Real largest_radius_ = 0;
+    Real center_ = 0;    ///< height of the sac's body above the neck plane, in R
+    Real cone_sine_ = 0; ///< of the angle of the pear's flank against its axis
+    Real cone_cosine_ = 1;
+    Real apex_ = 0;
 };
 
-/// Smooth union of two distances: their minimum, blended where they differ by less than `width`.
-Distance smooth_union(const Distance& a, const Distance& b, double width);
+using Vessel = VesselT<double>;
 
 } // namespace aneurysm

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/host_device.hpp"
+
 #include <cmath>
 
 namespace aneurysm
@@ -13,70 +15,70 @@ struct Vec3T {
     Real y = 0;
     Real z = 0;
 
-    constexpr Vec3T& operator+=(const Vec3T& b)
+    ANEURYSM_HD constexpr Vec3T& operator+=(const Vec3T& b)
     {
         x += b.x;
         y += b.y;
         z += b.z;
         return *this;
     }
-    constexpr Vec3T& operator-=(const Vec3T& b)
+    ANEURYSM_HD constexpr Vec3T& operator-=(const Vec3T& b)
     {
         x -= b.x;
         y -= b.y;
         z -= b.z;
         return *this;
     }
-    constexpr bool operator==(const Vec3T&) const = default;
+    ANEURYSM_HD constexpr bool operator==(const Vec3T&) const = default;
 };
 
 template <class Real>
-constexpr Vec3T<Real> operator+(Vec3T<Real> a, const Vec3T<Real>& b)
+ANEURYSM_HD constexpr Vec3T<Real> operator+(Vec3T<Real> a, const Vec3T<Real>& b)
 {
     return a += b;
 }
 template <class Real>
-constexpr Vec3T<Real> operator-(Vec3T<Real> a, const Vec3T<Real>& b)
+ANEURYSM_HD constexpr Vec3T<Real> operator-(Vec3T<Real> a, const Vec3T<Real>& b)
 {
     return a -= b;
 }
 template <class Real>
-constexpr Vec3T<Real> operator-(const Vec3T<Real>& a)
+ANEURYSM_HD constexpr Vec3T<Real> operator-(const Vec3T<Real>& a)
 {
     return {-a.x, -a.y, -a.z};
 }
 template <class Real>
-constexpr Vec3T<Real> operator*(Real s, const Vec3T<Real>& a)
+ANEURYSM_HD constexpr Vec3T<Real> operator*(Real s, const Vec3T<Real>& a)
 {
     return {s * a.x, s * a.y, s * a.z};
 }
 template <class Real>
-constexpr Vec3T<Real> operator*(const Vec3T<Real>& a, Real s)
+ANEURYSM_HD constexpr Vec3T<Real> operator*(const Vec3T<Real>& a, Real s)
 {
     return s * a;
 }
 template <class Real>
-constexpr Vec3T<Real> operator/(const Vec3T<Real>& a, Real s)
+ANEURYSM_HD constexpr Vec3T<Real> operator/(const Vec3T<Real>& a, Real s)
 {
     return {a.x / s, a.y / s, a.z / s};
 }
 template <class Real>
-constexpr Real dot(const Vec3T<Real>& a, const Vec3T<Real>& b)
+ANEURYSM_HD constexpr Real dot(const Vec3T<Real>& a, const Vec3T<Real>& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class Real>
-constexpr Vec3T<Real> cross(const Vec3T<Real>& a, const Vec3T<Real>& b)
+ANEURYSM_HD constexpr Vec3T<Real> cross(const Vec3T<Real>& a, const Vec3T<Real>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class Real>
-Real length(const Vec3T<Real>& a)
+ANEURYSM_HD Real length(const Vec3T<Real>& a)
 {
     return std::sqrt(dot(a, a));
 }
 template <class Real>
-bool is_finite(const Vec3T<Real>& a)
+ANEURYSM_HD bool is_finite(const Vec3T<Real>& a)
 {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

@@ -140,39 +140,62 @@ bool Controller::is_taken(const Particles& particles, const Vec3& x) const
 
 void Controller::exchange(Particles& particles, Ledger& ledger) const
 {
-    const double depth = opening_layers * dx_;
-    Reserve reserve(particles);
+    for (std::size_t k = 0; k < ghost_kind.size(); ++k) {
+        leave_slab(particles, k, ledger);
+    }
+    enter_artery(particles, ledger);
+    cross_openings(particles, ledger);
+}
+
+void Controller::leave_slab(Particles& particles, std::size_t k, Ledger& ledger) const
+{
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        if (particles.kind[i] == ghost_kind[k] &&
+            vessel_->openings()[k].beyond(particles.position[i]) > opening_layers * dx_) {
+            particles.kind[i] = Kind::reserve;
+            ++ledger.recycled;
+        }
+    }
+}
+
+void Controller::enter_artery(Particles& particles, Ledger& ledger) const
+{
+    struct Entry {
+        std::size_t i = 0;
+        std::size_t k = 0;
+    };
+    std::vector<Entry> entering;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         for (std::size_t k = 0; k < ghost_kind.size(); ++k) {
-            if (particles.kind[i] != ghost_kind[k]) {
-                continue;
-            }
-            const Opening& end = vessel_->openings()[k];
-            const double beyond = end.beyond(particles.position[i]);
-            if (beyond > depth) {
-                particles.kind[i] = Kind::reserve;
-                ++ledger.recycled;
-            } else if (beyond <= 0) {
-                const Vec3 behind = particles.position[i] + depth * end.outward;
+            if (particles.kind[i] == ghost_kind[k] &&
+                vessel_->openings()[k].beyond(particles.position[i]) <= 0) {
                 if (is_taken(particles, particles.position[i])) {
-                    particles.position[i] = behind;
-                    continue;
+                    particles.position[i] += behind(k);
+                } else {
+                    entering.push_back({i, k});
                 }
-                particles.kind[i] = Kind::fluid;
-                particles.pressure[i] = unset_pressure;
-                ++(k == 0 ? ledger.inlet_in : ledger.outlet_in);
-                const std::size_t j = reserve.take();
-                if (j == particles.size()) {
-                    ++ledger.missed;
-                    continue;
-                }
-                particles.kind[j] = ghost_kind[k];
-                particles.position[j] = behind;
-                particles.velocity[j] = particles.velocity[i];
             }
         }
     }
-    cross_openings(particles, ledger);
+    Reserve reserve(particles);
+    for (const auto [i, k] : entering) {
+        particles.kind[i] = Kind::fluid;
+        particles.pressure[i] = unset_pressure;
+        ++(k == 0 ? ledger.inlet_in : ledger.outlet_in);
+        const std::size_t j = reserve.take();
+        if (j == particles.size()) {
+            ++ledger.missed;
+            continue;
+        }
+        particles.kind[j] = ghost_kind[k];
+        particles.position[j] = particles.position[i] + behind(k);
+        particles.velocity[j] = particles.velocity[i];
+    }
+}
+
+Vec3 Controller::behind(std::size_t k) const
+{
+    return opening_layers * dx_ * vessel_->openings()[k].outward;
 }
 
 void Controller::cross_openings(Particles& particles, Ledger& ledger) const

@@ -54,13 +54,17 @@ public:
     /// While outlet k's slab moves inwards, blood doesn't cross its plane outwards.
     void hold_back(Particles& particles, std::size_t k) const;
 
-    /// Carries out the exchange described above, in the order of particle indices, after all have moved. A
+    /// Carries out the exchange described above, after all have moved: first what leaves the slabs joins the
+    /// reserve, then what enters the artery is replaced from it, both in the order of particle indices. A
     /// ghost whose place inside is taken by blood goes back to the far end of the slab instead: two particles
     /// in one place see no pressure gradient between them, and would never part.
     void exchange(Particles& particles, Ledger& ledger) const;
 
 private:
     bool is_taken(const Particles& particles, const Vec3& x) const;
+    Vec3 behind(std::size_t k) const; ///< from a ghost of slab k to the place a whole slab behind it [m]
+    void leave_slab(Particles& particles, std::size_t k, Ledger& ledger) const;
+    void enter_artery(Particles& particles, Ledger& ledger) const;
     void cross_openings(Particles& particles, Ledger& ledger) const;
 
     const Vessel* vessel_;

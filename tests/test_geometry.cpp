@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(smooth_union_lies_just_below_the_minimum)
         return good && within(united(same, same, 0.2).value, 0.3 - 0.2 / 4, rounding(12)) &&
                united(same, {0.2, {0, 1, 0}}, 0).value == 0.2;
     };
-    BOOST_TEST(holds(smooth_union));
+    BOOST_TEST(holds(smooth_union<double>));
     BOOST_TEST(!holds([](const Distance& a, const Distance& b, double width) {
         return smooth_union(a, b, width * (1 + fault));
     }));
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(smooth_union_blends_the_gradients_as_its_value)
         }
         return good;
     };
-    BOOST_TEST(holds(smooth_union));
+    BOOST_TEST(holds(smooth_union<double>));
     BOOST_TEST(!holds([](const Distance& a, const Distance& b, double width) {
         Distance d = smooth_union(a, b, width);
         d.gradient += fault * a.gradient;
