@@ -41,16 +41,6 @@ std::string place(const SimulationState& state, std::size_t particle)
 
 } // namespace
 
-/// What one flow step computes on the way.
-struct Flow::Step {
-    Bodies bodies; ///< velocity: before the blood's own pressure acts
-    Neighbors neighbors;
-    std::vector<double> rho;       ///< by body, (5)
-    std::vector<Vec3> F_viscosity; ///< by particle, (7)
-    std::vector<Vec3> F_pressure;  ///< by particle
-    std::vector<Vec3> velocity;    ///< by particle, at the end of the step
-};
-
 Flow::Flow(const Scenario& scenario, const Vessel& vessel, double dx, std::array<std::vector<Vec3>, 3> slabs)
     : scenario_(&scenario), vessel_(&vessel), dx_(dx),
       dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)),
@@ -86,14 +76,23 @@ void Flow::check_stability() const
     }
 }
 
-void Flow::step(SimulationState& state, const Wall& wall, double t, FrameRecord& record)
+void Flow::step(SimulationState& state, const Wall& wall, double t, FrameRecord& record,
+                const FlowHooks& hooks)
 {
+    const auto show = [&](FlowStage stage, const FlowStep* step) {
+        if (hooks.observer != nullptr) {
+            hooks.observer->see(stage, t, state, wall, step);
+        }
+    };
     Particles& p = state.particles;
+    show(FlowStage::begun, nullptr);
     drive_openings(state, t, record);
-    Step step = make_step(state, wall);
+    show(FlowStage::driven, nullptr);
+    FlowStep step = make_step(state, wall);
     apply_forces(step, state);
-    solve_pressure(step, state, record);
+    solve_pressure(step, state, record, hooks.solved_pressure);
     move(step, state);
+    show(FlowStage::moved, &step);
     record_flow(step, p, record);
     record_impact(step, p, wall, record);
     controller_.push_as_piston(p, record.inlet_velocity);
@@ -102,8 +101,11 @@ void Flow::step(SimulationState& state, const Wall& wall, double t, FrameRecord&
             controller_.hold_back(p, k);
         }
     }
+    show(FlowStage::held, &step);
     handle_collisions(state, wall, record);
+    show(FlowStage::collided, &step);
     controller_.exchange(p, state.ledger);
+    show(FlowStage::exchanged, &step);
     density_.assign(step.rho.begin(), step.rho.begin() + static_cast<std::ptrdiff_t>(p.size()));
 }
 
@@ -136,7 +138,7 @@ void Flow::drive_openings(SimulationState& state, double t, FrameRecord& record)
     record.outlet_velocity = 0.5 * (state.outlet_velocity[0] + state.outlet_velocity[1]);
 }
 
-Flow::Step Flow::make_step(const SimulationState& state, const Wall& wall) const
+FlowStep Flow::make_step(const SimulationState& state, const Wall& wall) const
 {
     const Particles& p = state.particles;
     Bodies b{p.position, p.velocity, std::vector<double>(p.size(), p.mass), {}};
@@ -146,7 +148,7 @@ Flow::Step Flow::make_step(const SimulationState& state, const Wall& wall) const
     b.mass.insert(b.mass.end(), wall.ghosts.mass.begin(), wall.ghosts.mass.end());
     b.role.resize(b.size(), Role::mirror);
     Neighbors neighbors(b, kernel_);
-    Step step{std::move(b), std::move(neighbors), {}, {}, {}, p.velocity};
+    FlowStep step{std::move(b), std::move(neighbors), {}, {}, {}, {}, {}, p.velocity};
     step.rho.assign(step.bodies.size(), scenario_->fluid.density_kg_m3);
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (step.bodies.free(i)) {
@@ -163,43 +165,46 @@ Flow::Step Flow::make_step(const SimulationState& state, const Wall& wall) const
 
 /// Viscosity (7), gravity and, in model dfsph, the outlets' pressure (26): all but the blood's own pressure.
 /// In model eos the outlets' ghosts take part in (6) with their pressure.
-void Flow::apply_forces(Step& step, const SimulationState& state) const
+void Flow::apply_forces(FlowStep& step, const SimulationState& state) const
 {
     Bodies& b = step.bodies;
     const Particles& p = state.particles;
     const double rho_0 = scenario_->fluid.density_kg_m3;
     step.F_viscosity.assign(p.size(), {});
+    step.F_outlet.assign(p.size(), {});
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (!b.free(i)) {
             continue;
         }
         step.F_viscosity[i] =
             viscosity_force(b, step.neighbors.of(i), step.rho, scenario_->fluid.viscosity_pa_s, i);
-        Vec3 F_outlet;
         for (const Neighbor& n : step.neighbors.of(i)) {
             if (scenario_->pressure.model == PressureModel::dfsph && b.role[n.j] == Role::outlet) {
                 const double v = state.outlet_velocity[p.kind[n.j] == Kind::outlet_1 ? 0 : 1];
-                F_outlet += outlet_pressure_force(
+                step.F_outlet[i] += outlet_pressure_force(
                     b.mass[n.j], rho_0, outlet_pressure(scenario_->outlet.pressure_pa, rho_0, v), n.grad_W);
             }
         }
         const Vec3 force =
-            momentum_force(step.rho[i], scenario_->fluid.gravity_m_s2, step.F_viscosity[i], F_outlet);
+            momentum_force(step.rho[i], scenario_->fluid.gravity_m_s2, step.F_viscosity[i], step.F_outlet[i]);
         step.velocity[i] = b.velocity[i] + dt_ * acceleration(step.rho[i], force);
     }
     std::ranges::copy(step.velocity, b.velocity.begin());
 }
 
 /// The blood's own pressure, by (3) or by the equation of state with (6); it changes the velocity.
-void Flow::solve_pressure(Step& step, SimulationState& state, FrameRecord& record)
+void Flow::solve_pressure(FlowStep& step, SimulationState& state, FrameRecord& record,
+                          std::span<const double> solved)
 {
     Particles& p = state.particles;
     const Bodies& b = step.bodies;
-    std::vector<double> pressure(b.size(), 0);
+    std::vector<double>& pressure = step.pressure;
+    pressure.assign(b.size(), 0);
     std::vector<Vec3> a(b.size());
-    const IncompressibleReport report = scenario_->pressure.model == PressureModel::dfsph
-                                            ? solve_dfsph(step, p, pressure, a)
-                                            : solve_eos(step, state, pressure, a);
+    const bool dfsph = scenario_->pressure.model == PressureModel::dfsph;
+    const IncompressibleReport report = !dfsph           ? solve_eos(step, state, pressure, a)
+                                        : solved.empty() ? solve_dfsph(step, p, pressure, a)
+                                                         : take_pressure(step, solved, pressure, a);
     step.F_pressure.assign(p.size(), {});
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (b.free(i)) {
@@ -216,9 +221,21 @@ void Flow::solve_pressure(Step& step, SimulationState& state, FrameRecord& recor
     record.divergence_max = report.divergence_max;
 }
 
+/// (3) with its pressures given: no iteration, only what follows from them.
+IncompressibleReport Flow::take_pressure(const FlowStep& step, std::span<const double> solved,
+                                         std::vector<double>& pressure, std::vector<Vec3>& a) const
+{
+    for (std::size_t i = 0; i < solved.size(); ++i) {
+        pressure[i] = step.bodies.free(i) ? solved[i] : 0;
+    }
+    IncompressibleSettings settings = solver_;
+    settings.max_iterations = 0;
+    return solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, settings, pressure, a);
+}
+
 /// From the last step's pressures; a particle that has none starts from its neighbours' mean.
-IncompressibleReport Flow::solve_dfsph(const Step& step, const Particles& p, std::vector<double>& pressure,
-                                       std::vector<Vec3>& a) const
+IncompressibleReport Flow::solve_dfsph(const FlowStep& step, const Particles& p,
+                                       std::vector<double>& pressure, std::vector<Vec3>& a) const
 {
     for (std::size_t i = 0; i < p.size(); ++i) {
         pressure[i] = p.pressure[i];
@@ -237,7 +254,7 @@ IncompressibleReport Flow::solve_dfsph(const Step& step, const Particles& p, std
     return solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, solver_, pressure, a);
 }
 
-IncompressibleReport Flow::solve_eos(const Step& step, const SimulationState& state,
+IncompressibleReport Flow::solve_eos(const FlowStep& step, const SimulationState& state,
                                      std::vector<double>& pressure, std::vector<Vec3>& a) const
 {
     const Bodies& b = step.bodies;
@@ -259,7 +276,7 @@ IncompressibleReport Flow::solve_eos(const Step& step, const SimulationState& st
     return divergence_report(b, step.neighbors, v, rho_0);
 }
 
-void Flow::move(const Step& step, SimulationState& state) const
+void Flow::move(const FlowStep& step, SimulationState& state) const
 {
     Particles& p = state.particles;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -278,7 +295,7 @@ void Flow::move(const Step& step, SimulationState& state) const
     }
 }
 
-void Flow::record_flow(const Step& step, const Particles& p, FrameRecord& record) const
+void Flow::record_flow(const FlowStep& step, const Particles& p, FrameRecord& record) const
 {
     double excess = 0;
     std::int64_t count = 0;
@@ -325,7 +342,8 @@ std::vector<std::int64_t> Flow::impacting(const Particles& p, const Wall& wall) 
 
 /// F_b of (16), with the pressure that drives the flow and, as a diagnostic, with (6) and the equation of
 /// state.
-void Flow::record_impact(const Step& step, const Particles& p, const Wall& wall, FrameRecord& record) const
+void Flow::record_impact(const FlowStep& step, const Particles& p, const Wall& wall,
+                         FrameRecord& record) const
 {
     const std::vector<std::int64_t> S = impacting(p, wall);
     record.impact_count = static_cast<std::int64_t>(S.size());
@@ -392,7 +410,7 @@ void Flow::settle(SimulationState& state, const Wall& wall) const
     Particles& p = state.particles;
     for (int round = 0; round < rounds; ++round) {
         push_apart(state, wall);
-        const Step step = make_step(state, wall);
+        const FlowStep step = make_step(state, wall);
         std::vector<std::size_t> blood;
         double excess = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
@@ -423,7 +441,7 @@ void Flow::push_apart(SimulationState& state, const Wall& wall) const
     settings.max_iterations = std::min<std::int64_t>(settings.max_iterations, 200);
     FrameRecord record;
     for (int k = 0; k < steps; ++k) {
-        const Step step = make_step(state, wall);
+        const FlowStep step = make_step(state, wall);
         std::vector<double> pressure(step.bodies.size(), 0);
         std::vector<Vec3> a(step.bodies.size());
         solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, settings, pressure, a);

@@ -9,6 +9,7 @@
 #include "reference/incompressible.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace aneurysm::reference
@@ -19,6 +20,50 @@ struct Wall {
     double radius = 0; ///< of the sac, displacement included [m]
     WallGhosts ghosts;
     std::optional<Breach> breach;
+};
+
+/// What one flow step computes on the way.
+struct FlowStep {
+    Bodies bodies; ///< velocity: before the blood's own pressure acts
+    Neighbors neighbors;
+    std::vector<double> rho;       ///< by body, (5) [kg/m^3]
+    std::vector<Vec3> F_viscosity; ///< by particle, (7) [N/m^3]
+    std::vector<Vec3> F_outlet;    ///< by particle, (26) [N/m^3]
+    std::vector<double> pressure;  ///< by body, as the solve left it [Pa]
+    std::vector<Vec3> F_pressure;  ///< by particle [N/m^3]
+    std::vector<Vec3> velocity;    ///< by particle, at the end of the step [m/s]
+};
+
+/// Where a flow step is when it lets itself be observed, in this order.
+enum class FlowStage {
+    begun,     ///< nothing done
+    driven,    ///< the open ends' ghosts have their velocities
+    moved,     ///< forces and pressure have moved all
+    held,      ///< the inlet's piston and back-flowing outlets have held blood back
+    collided,  ///< collisions handled
+    exchanged, ///< the controller has acted
+};
+
+/// Looks into a flow step: rounding bounds follow from what it sees.
+class FlowObserver
+{
+public:
+    FlowObserver() = default;
+    virtual ~FlowObserver() = default;
+    FlowObserver(const FlowObserver&) = delete;
+    FlowObserver(FlowObserver&&) = delete;
+    FlowObserver& operator=(const FlowObserver&) = delete;
+    FlowObserver& operator=(FlowObserver&&) = delete;
+
+    /// `t`: at the end of the step [s]; `step`: null before stage `moved`
+    virtual void see(FlowStage stage, double t, const SimulationState& state, const Wall& wall,
+                     const FlowStep* step) = 0;
+};
+
+/// What a flow step may be given by those who check it.
+struct FlowHooks {
+    std::span<const double> solved_pressure; ///< by particle; not empty: taken as the solution of (3) [Pa]
+    FlowObserver* observer = nullptr;
 };
 
 /// Blood flow through a vessel whose wall stands still: sections 3.1, 3.4 and 3.5.
@@ -34,7 +79,8 @@ public:
 
     /// One step to time t; fills in the flow's part of the record.
     /// \throws SimulationError with frame and particle
-    void step(SimulationState& state, const Wall& wall, double t, FrameRecord& record);
+    void step(SimulationState& state, const Wall& wall, double t, FrameRecord& record,
+              const FlowHooks& hooks = {});
 
     /// Lets a fresh lattice find its place between the walls: overlaps are pushed apart, and while the blood
     /// stays denser than the solver's tolerance allows, the densest of it goes to the reserve: more was
@@ -47,23 +93,25 @@ public:
     const std::vector<double>& solved_pressure() const { return solved_pressure_; }
 
 private:
-    struct Step;
     /// (3) with the velocity set to 0 before each step.
     void push_apart(SimulationState& state, const Wall& wall) const;
     void check_stability() const;
     double inlet_velocity_at(double t) const;
     void drive_openings(SimulationState& state, double t, FrameRecord& record) const;
-    Step make_step(const SimulationState& state, const Wall& wall) const;
-    void apply_forces(Step& step, const SimulationState& state) const;
-    void solve_pressure(Step& step, SimulationState& state, FrameRecord& record);
-    IncompressibleReport solve_dfsph(const Step& step, const Particles& p, std::vector<double>& pressure,
+    FlowStep make_step(const SimulationState& state, const Wall& wall) const;
+    void apply_forces(FlowStep& step, const SimulationState& state) const;
+    void solve_pressure(FlowStep& step, SimulationState& state, FrameRecord& record,
+                        std::span<const double> solved);
+    IncompressibleReport take_pressure(const FlowStep& step, std::span<const double> solved,
+                                       std::vector<double>& pressure, std::vector<Vec3>& a) const;
+    IncompressibleReport solve_dfsph(const FlowStep& step, const Particles& p, std::vector<double>& pressure,
                                      std::vector<Vec3>& a) const;
-    IncompressibleReport solve_eos(const Step& step, const SimulationState& state,
+    IncompressibleReport solve_eos(const FlowStep& step, const SimulationState& state,
                                    std::vector<double>& pressure, std::vector<Vec3>& a) const;
-    void move(const Step& step, SimulationState& state) const;
-    void record_flow(const Step& step, const Particles& p, FrameRecord& record) const;
+    void move(const FlowStep& step, SimulationState& state) const;
+    void record_flow(const FlowStep& step, const Particles& p, FrameRecord& record) const;
     std::vector<std::int64_t> impacting(const Particles& p, const Wall& wall) const;
-    void record_impact(const Step& step, const Particles& p, const Wall& wall, FrameRecord& record) const;
+    void record_impact(const FlowStep& step, const Particles& p, const Wall& wall, FrameRecord& record) const;
     void handle_collisions(SimulationState& state, const Wall& wall, FrameRecord& record) const;
 
     const Scenario* scenario_;

@@ -122,6 +122,37 @@ Wall Simulation::wall(const AneurysmState& aneurysm) const
 
 FrameRecord Simulation::advance()
 {
+    return advance({}, nullptr);
+}
+
+FrameRecord Simulation::advance(std::span<const double> solved_pressure, FlowObserver& observer)
+{
+    if (scenario_.pressure.model == PressureModel::eos) {
+        return advance({}, &observer);
+    }
+    const std::size_t needed = static_cast<std::size_t>(scenario_.time.substeps) * state_.particles.size();
+    if (solved_pressure.size() != needed) {
+        throw Error("frame " + std::to_string(state_.frame + 1),
+                    std::to_string(solved_pressure.size()) + " solved pressures were given",
+                    "needed: " + std::to_string(needed) + ", one for each flow step and particle");
+    }
+    return advance(solved_pressure, &observer);
+}
+
+void Simulation::restart(SimulationState state)
+{
+    if (state.particles.size() != state_.particles.size() || state.spacing != state_.spacing) {
+        throw Error("restart",
+                    std::to_string(state.particles.size()) + " particles at a spacing of " +
+                        std::to_string(state.spacing) + " m",
+                    "needed: " + std::to_string(state_.particles.size()) + " at " +
+                        std::to_string(state_.spacing) + " m");
+    }
+    state_ = std::move(state);
+}
+
+FrameRecord Simulation::advance(std::span<const double> solved_pressure, FlowObserver* observer)
+{
     SimulationState next = state_;
     FrameRecord record;
     record.frame = next.frame + 1;
@@ -131,7 +162,10 @@ FrameRecord Simulation::advance()
     solved_pressure_.clear();
     for (std::int64_t s = 1; s <= scenario_.time.substeps; ++s) {
         const double part = static_cast<double>(s) / static_cast<double>(scenario_.time.substeps);
-        flow_.step(next, w, (static_cast<double>(next.frame) + part) * dt, record);
+        const std::size_t first = static_cast<std::size_t>(s - 1) * next.particles.size();
+        const auto solved =
+            solved_pressure.empty() ? solved_pressure : solved_pressure.subspan(first, next.particles.size());
+        flow_.step(next, w, (static_cast<double>(next.frame) + part) * dt, record, {solved, observer});
         solved_pressure_.insert(solved_pressure_.end(), flow_.solved_pressure().begin(),
                                 flow_.solved_pressure().end());
     }

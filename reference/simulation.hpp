@@ -8,6 +8,7 @@
 #include "reference/flow.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace aneurysm::reference
@@ -30,6 +31,14 @@ public:
     /// \throws SimulationError that names frame and particle; state() is then still that of the last good
     /// frame
     FrameRecord advance();
+    /// The same, observed and without a solve of its own: `solved_pressure`, by flow step and particle [Pa],
+    /// is taken as the solution of (3). Model eos has none and ignores it.
+    /// \throws Error when it has another size than solved_pressure()
+    FrameRecord advance(std::span<const double> solved_pressure, FlowObserver& observer);
+
+    /// Goes on from another state of the same scenario and spacing.
+    /// \throws Error when it has another number of particles or another spacing
+    void restart(SimulationState state);
 
     const SimulationState& state() const { return state_; }
     /// By particle, of the last flow step; rho_0 for what isn't blood [kg/m^3]
@@ -42,6 +51,7 @@ private:
     Simulation(const Scenario& scenario, std::optional<SimulationState> state);
     SimulationState first_state() const;
 
+    FrameRecord advance(std::span<const double> solved_pressure, FlowObserver* observer);
     Wall wall(const AneurysmState& aneurysm) const;
     void grow(AneurysmState& aneurysm, double F_b) const;
     void deform(SimulationState& state, FrameRecord& record) const;
