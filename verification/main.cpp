@@ -2,6 +2,7 @@
 // The program `aneurysm`.
 #include "common/error.hpp"
 #include "output/build_info.hpp"
+#include "verification/compare.hpp"
 #include "verification/info.hpp"
 #include "verification/run.hpp"
 
@@ -15,6 +16,8 @@ namespace
 {
 
 using namespace aneurysm;
+using verification::BackendChoice;
+using verification::CompareOptions;
 using verification::RunOptions;
 
 struct InfoOptions {
@@ -24,14 +27,24 @@ struct InfoOptions {
 
 constexpr int bad_input = 2;
 
+void add_tuning(CLI::App& app, BackendChoice& backend)
+{
+    app.add_option("--threads", backend.threads, "of backend cpu; 0: as many as pay")->capture_default_str();
+    app.add_option("--block-size", backend.block_size,
+                   "of backend cuda: GPU threads in a block, a multiple of 32; 0: the default")
+        ->capture_default_str();
+}
+
 CLI::App* add_run(CLI::App& app, RunOptions& options)
 {
     CLI::App* run = app.add_subcommand("run", "Simulate a scenario");
     run->add_option("SCENARIO", options.scenario, "scenario file; with --resume it may be left out");
     run->add_option("--out", options.out,
                     "directory for the results; must not exist (default: results/NAME)");
-    run->add_option("--backend", options.backend.name, "who computes: reference")->capture_default_str();
-    run->add_option("--precision", options.backend.precision, "double")->capture_default_str();
+    run->add_option("--backend", options.backend.name, "who computes: reference, cpu, cuda")
+        ->capture_default_str();
+    run->add_option("--precision", options.backend.precision, "double, float")->capture_default_str();
+    add_tuning(*run, options.backend);
     run->add_option("--frames", options.frames, "run up to this frame instead of the scenario's last");
     run->add_flag("--resume", options.resume, "go on from the checkpoint in --out, to the same bits");
     run->footer("Examples:\n"
@@ -39,6 +52,31 @@ CLI::App* add_run(CLI::App& app, RunOptions& options)
                 "  aneurysm run --resume --out results/quick\n"
                 "Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted (a checkpoint was written).");
     return run;
+}
+
+CLI::App* add_compare(CLI::App& app, CompareOptions& options)
+{
+    CLI::App* compare = app.add_subcommand("compare", "Compare a backend with the reference");
+    compare->add_option("SCENARIO", options.scenario, "scenario file")->required();
+    compare->add_option("--candidate", options.candidate.name, "who is compared: reference, cpu, cuda")
+        ->capture_default_str();
+    compare->add_option("--precision", options.candidate.precision, "double, float")->capture_default_str();
+    add_tuning(*compare, options.candidate);
+    compare
+        ->add_option("--mode", options.mode,
+                     "lockstep: each frame starts from the candidate's own state, bounds are rounding's")
+        ->capture_default_str();
+    compare->add_option("--frames", options.frames,
+                        "how many to compare (default: up to the scenario's last)");
+    compare->add_option("--from", options.from, "let the candidate come to this frame first")
+        ->capture_default_str();
+    compare->add_option("--report", options.report, "JSON file for the result");
+    compare->footer(
+        "Example:\n"
+        "  aneurysm compare data/scenarios/quick.json --candidate cpu --precision float --frames 300\n"
+        "Exit codes: 0 all within its bounds, 1 failed, 2 bad input, 3 something is not within its bounds,\n"
+        "130 interrupted.");
+    return compare;
 }
 
 CLI::App* add_info(CLI::App& app, InfoOptions& options)
@@ -74,7 +112,9 @@ int parse_and_run(int argc, char** argv)
                "aneurysm SUBCOMMAND --help says more.");
     RunOptions run_options;
     InfoOptions info_options;
+    CompareOptions compare_options;
     const CLI::App* run = add_run(app, run_options);
+    const CLI::App* compare = add_compare(app, compare_options);
     const CLI::App* info = add_info(app, info_options);
     try {
         app.parse(argc, argv);
@@ -86,6 +126,9 @@ int parse_and_run(int argc, char** argv)
     }
     if (run->parsed()) {
         return verification::run(run_options);
+    }
+    if (compare->parsed()) {
+        return verification::compare(compare_options);
     }
     if (!info->parsed()) {
         throw InputError("command line", "no subcommand given", "see aneurysm --help");

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "verification/backend.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace aneurysm::verification
+{
+
+struct CompareOptions {
+    std::filesystem::path scenario;
+    BackendChoice candidate;
+    std::string mode = "lockstep";
+    std::int64_t frames = 0;      ///< to compare; 0: the scenario's
+    std::int64_t from = 0;        ///< the candidate makes this many frames first
+    std::filesystem::path report; ///< JSON; empty: none
+};
+
+/// `aneurysm compare`: a candidate against the reference. Prints a table and the verdict.
+/// \return 0 when all is within its bounds, 3 when not, 130 when interrupted
+/// \throws InputError before anything is computed
+int compare(const CompareOptions& options);
+
+} // namespace aneurysm::verification
