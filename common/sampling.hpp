@@ -62,6 +62,11 @@ public:
     /// Ghosts for a sac of radius R, in a fixed order; none inside the breach.
     WallGhosts at(double R, const std::optional<Breach>& breach) const;
 
+    /// Those that the sac doesn't reach, the same for every R.
+    const WallGhosts& fixed() const { return fixed_; }
+    /// Where there is a ghost for some R only, or one whose mass depends on R [m].
+    const std::vector<Vec3>& near_sac() const { return near_sac_; }
+
 private:
     double fraction(double distance) const;
 

@@ -50,7 +50,7 @@ struct Scenario {
     struct {
         PressureModel model = PressureModel::dfsph;
         double stiffness_m2_s2 = 0; ///< kappa of the equation of state; drives the flow only in model `eos`
-        double relaxation = 0;      ///< omega of the Jacobi iteration, model `dfsph`
+        double relaxation = 0;      ///< omega, the step of the pressure iteration, model `dfsph`
         double density_correction = 0;  ///< beta: part of the density error that one step removes, 0 to 1
         double tolerance_per_s = 0;     ///< largest mean |residual| of (3) as a rate [1/s]
         double max_tolerance_per_s = 0; ///< largest |residual| of a single particle [1/s]

@@ -154,7 +154,7 @@ void visit_flow(S& s, Visitor& v)
             "stiffness kappa of the equation of state [m^2/s^2]; drives the flow only in model eos"},
       p.stiffness_m2_s2);
     v(Field{"pressure.relaxation", above(0).below(1), assumed(),
-            "relaxation omega of the Jacobi iteration, model dfsph"},
+            "relaxation omega, the step of the pressure iteration, model dfsph"},
       p.relaxation);
     v(Field{"pressure.density_correction", from(0).to(1), assumed(),
             "part of the density error that one step removes, model dfsph"},

@@ -29,9 +29,13 @@ struct Vec3T {
         z -= b.z;
         return *this;
     }
-    ANEURYSM_HD constexpr bool operator==(const Vec3T&) const = default;
 };
 
+template <class Real>
+ANEURYSM_HD constexpr bool operator==(const Vec3T<Real>& a, const Vec3T<Real>& b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
 template <class Real>
 ANEURYSM_HD constexpr Vec3T<Real> operator+(Vec3T<Real> a, const Vec3T<Real>& b)
 {

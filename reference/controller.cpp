@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/controller.hpp"
 
+#include "common/initial_state.hpp"
 #include "common/sampling.hpp"
 
 #include <algorithm>

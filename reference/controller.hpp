@@ -72,8 +72,4 @@ private:
     std::array<std::vector<Vec3>, 3> patterns_;
 };
 
-/// Pressure of a particle that has not been through a solve yet; the next one starts from its neighbours'
-/// mean.
-constexpr double unset_pressure = -1;
-
 } // namespace aneurysm::reference

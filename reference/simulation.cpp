@@ -2,6 +2,7 @@
 #include "reference/simulation.hpp"
 
 #include "common/error.hpp"
+#include "common/initial_state.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/boundary.hpp"
 #include "reference/growth.hpp"
@@ -9,35 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 
 namespace aneurysm::reference
 {
 namespace
 {
-
-/// Uniform in [-1, 1), the same on every machine.
-double uniform(std::mt19937_64& engine)
-{
-    return std::ldexp(static_cast<double>(engine() >> 11U), -52) - 1;
-}
-
-double initial_radius(const Scenario& s)
-{
-    return s.aneurysm.initial_radius_radii * s.vessel.radius_m;
-}
-
-/// Samples as many particles as the scenario's count leaves beside the reserve, or again with a known
-/// spacing.
-Lattice sample(const Scenario& s, const Vessel& vessel, const std::optional<SimulationState>& state)
-{
-    if (state) {
-        return sample_lattice(vessel, initial_radius(s), state->spacing);
-    }
-    return sample_count(vessel, initial_radius(s), static_cast<std::size_t>(s.particles.count),
-                        s.particles.reserve_fraction, daughter_radius(s.vessel.radius_m));
-}
 
 WallTissue wall_tissue(const Scenario& s)
 {
@@ -63,47 +41,18 @@ Simulation::Simulation(const Scenario& scenario, SimulationState state)
 
 Simulation::Simulation(const Scenario& scenario, std::optional<SimulationState> state)
     : scenario_(scenario), vessel_(scenario, daughter_radius(scenario.vessel.radius_m)),
-      lattice_(sample(scenario, vessel_, state)),
+      lattice_(sample(scenario, vessel_, daughter_radius(scenario.vessel.radius_m),
+                      state ? std::optional(state->spacing) : std::nullopt)),
       flow_(scenario_, vessel_, lattice_.spacing, lattice_.openings),
-      // The elastic displacement stays below one spacing to either side, see deform().
-      ghosts_(vessel_, std::max(initial_radius(scenario) - lattice_.spacing, 0.5 * initial_radius(scenario)),
-              vessel_.largest_radius() + lattice_.spacing, lattice_.spacing, flow_.kernel().support(),
-              flow_.particle_mass()),
+      ghosts_(ghost_lattice(scenario, vessel_, lattice_.spacing, flow_.kernel().support(),
+                            flow_.particle_mass())),
       state_(state ? std::move(*state) : first_state())
 {
 }
 
 SimulationState Simulation::first_state() const
 {
-    const auto count = static_cast<std::size_t>(scenario_.particles.count);
-    SimulationState state;
-    state.spacing = lattice_.spacing;
-    state.aneurysm.radius = initial_radius(scenario_);
-    state.aneurysm.thickness = scenario_.rupture.thickness_ratio * scenario_.vessel.radius_m;
-
-    Particles& p = state.particles;
-    p.mass = flow_.particle_mass();
-    const auto add = [&p](const std::vector<Vec3>& positions, Kind kind) {
-        p.position.insert(p.position.end(), positions.begin(), positions.end());
-        p.kind.insert(p.kind.end(), positions.size(), kind);
-    };
-    add(lattice_.fluid, Kind::fluid);
-    add(lattice_.openings[0], Kind::inlet);
-    add(lattice_.openings[1], Kind::outlet_1);
-    add(lattice_.openings[2], Kind::outlet_2);
-    p.position.resize(count);
-    p.kind.resize(count, Kind::reserve);
-    p.velocity.resize(count);
-    p.pressure.resize(count, unset_pressure);
-
-    std::mt19937_64 engine(static_cast<std::uint64_t>(scenario_.particles.seed));
-    const double amplitude = scenario_.particles.jitter_spacings * lattice_.spacing;
-    for (std::size_t i = 0; i < lattice_.fluid.size(); ++i) {
-        const double x = uniform(engine);
-        const double y = uniform(engine);
-        const double z = uniform(engine);
-        p.position[i] += amplitude * Vec3{x, y, z};
-    }
+    SimulationState state = initial_state(scenario_, lattice_, flow_.particle_mass());
     flow_.settle(state, wall(state.aneurysm));
     return state;
 }

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cuda/executor.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <new>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace aneurysm::device
+{
+
+/// Runs device code on the host's cores by OpenMP. The number of threads doesn't change a bit of any result:
+/// nothing is shared between two calls of a function, and sums have their own fixed shape.
+class CpuExecutor
+{
+public:
+    /// `threads` 0: as many as the machine has cores.
+    explicit CpuExecutor(int threads) : threads_(threads > 0 ? threads : omp_get_num_procs()) {}
+
+    int threads() const { return threads_; }
+    void use_threads(int threads) { threads_ = threads; }
+
+    std::string device() const
+    {
+        return std::to_string(threads_) + (threads_ == 1 ? " CPU core" : " CPU cores");
+    }
+    std::size_t bytes() const { return bytes_; } ///< allocated
+
+    void* allocate(std::size_t bytes)
+    {
+        void* memory = ::operator new(bytes, alignment);
+        std::memset(memory, poison, bytes);
+        bytes_ += bytes;
+        return memory;
+    }
+    void release(void* memory, std::size_t bytes)
+    {
+        ::operator delete(memory, alignment);
+        bytes_ -= bytes;
+    }
+    template <class T>
+    static void upload(T* device, const T* host, std::size_t count)
+    {
+        std::copy_n(host, count, device);
+    }
+    template <class T>
+    static void download(T* host, const T* device, std::size_t count)
+    {
+        std::copy_n(device, count, host);
+    }
+    template <class T>
+    static void copy(T* to, const T* from, Index count)
+    {
+        std::copy_n(from, count, to);
+    }
+
+    /// f(i) for each i.
+    template <class F>
+    void for_each(Extent extent, const F& f) const
+    {
+        const Index n = extent.size();
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= worth_a_team)
+        for (Index i = 0; i < n; ++i) {
+            f(i);
+        }
+    }
+    /// f(i, lane) for each i and lane.
+    template <class F>
+    void for_each_group(Extent extent, const F& f) const
+    {
+        const Index n = extent.size();
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= worth_a_team)
+        for (Index i = 0; i < n; ++i) {
+            f(i, Lane{});
+        }
+    }
+    template <class F>
+    void once(const F& f) const
+    {
+        f();
+    }
+
+    /// *out = the sum of map(i) by a fixed tree, see reduce_chunk().
+    template <class Value, class Map>
+    void reduce(Extent extent, const Map& map, Value* scratch, Value* out) const
+    {
+        const Index n = extent.size();
+        Index parts = chunks(n);
+#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= worth_a_team)
+        for (Index c = 0; c < parts; ++c) {
+            scratch[c] = reduce_chunk<Value>(map, c, n);
+        }
+        while (parts > 1) {
+            const Index count = parts;
+            parts = chunks(count);
+            for (Index c = 0; c < parts; ++c) {
+                scratch[count + c] = reduce_chunk<Value>([scratch](Index i) { return scratch[i]; }, c, count);
+            }
+            scratch += count;
+        }
+        *out = n > 0 ? scratch[0] : Value{};
+    }
+
+    /// out[i] = in[0] + ... + in[i - 1], and the total in out[n].
+    static void scan(Extent extent, const Index* in, Index* out)
+    {
+        const Index n = extent.size();
+        Index total = 0;
+        for (Index i = 0; i < n; ++i) {
+            const Index value = in[i];
+            out[i] = total;
+            total += value;
+        }
+        out[n] = total;
+    }
+
+    /// The stable order of ascending keys: sorted[s] = keys[order[s]]. Keys are below `end`.
+    void sort(Index n, const Index* keys, Index* sorted, Index* order, Index end)
+    {
+        starts_.assign(static_cast<std::size_t>(end) + 1, 0);
+        for (Index i = 0; i < n; ++i) {
+            ++starts_[static_cast<std::size_t>(keys[i]) + 1];
+        }
+        for (std::size_t k = 1; k < starts_.size(); ++k) {
+            starts_[k] += starts_[k - 1];
+        }
+        for (Index i = 0; i < n; ++i) {
+            const Index place = starts_[static_cast<std::size_t>(keys[i])]++;
+            sorted[place] = keys[i];
+            order[place] = i;
+        }
+    }
+
+    /// body() as long as *go is not 0.
+    template <class Body>
+    static void repeat_while(const Index* go, const Body& body)
+    {
+        while (*go != 0) {
+            body();
+        }
+    }
+
+    /// Runs what body() asks for; a GPU records it once and replays it.
+    template <class Body>
+    static void run_recorded(const Body& body)
+    {
+        body();
+    }
+    static void forget_recording() {}
+
+    /// Room for sorting n keys below `end`.
+    void reserve_sort(Index, Index end)
+    {
+        starts_.resize(static_cast<std::size_t>(end) + 1);
+    }
+
+    /// Whether gradients are kept rather than computed in every pass: reading them is cheaper here.
+    static bool keeps_gradients(Index)
+    {
+        return true;
+    }
+
+    /// Ends the pass of this name; its time runs from the last mark.
+    void mark(const char* name)
+    {
+        const auto now = std::chrono::steady_clock::now();
+        seconds_[name] += std::chrono::duration<double>(now - marked_).count();
+        marked_ = now;
+    }
+    std::vector<std::pair<std::string, double>> take_profile()
+    {
+        std::vector<std::pair<std::string, double>> profile(seconds_.begin(), seconds_.end());
+        seconds_.clear();
+        marked_ = std::chrono::steady_clock::now();
+        return profile;
+    }
+
+private:
+    static constexpr std::align_val_t alignment{64};
+    static constexpr Index worth_a_team = 256; ///< fewer are done before a team has started
+
+    int threads_;
+    std::size_t bytes_ = 0;
+    std::vector<Index> starts_; ///< of each key's places
+    std::map<std::string, double, std::less<>> seconds_;
+    std::chrono::steady_clock::time_point marked_ = std::chrono::steady_clock::now();
+};
+
+} // namespace aneurysm::device

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/frame.hpp"
+#include "common/geometry.hpp"
+#include "cuda/kernel_function.hpp"
+#include "cuda/lanes.hpp"
+
+namespace aneurysm::device
+{
+
+/// The grid of cells, as wide as the support, that holds every body. Beyond its edge the outermost cells go
+/// on.
+template <class Real>
+struct Grid {
+    Vec3T<Real> low; ///< corner of cell 0 [m]
+    Real per_width = 0;
+    Index x_cells = 0;
+    Index y_cells = 0;
+    Index z_cells = 0;
+
+    ANEURYSM_HD Index cells() const { return x_cells * y_cells * z_cells; }
+    ANEURYSM_HD static Index along(Real offset, Real per_width, Index cells)
+    {
+        const Real c = offset * per_width;
+        return c >= 1 ? (c < static_cast<Real>(cells) ? static_cast<Index>(c) : cells - 1) : 0; // NaN: 0
+    }
+    ANEURYSM_HD Index x_cell(const Vec3T<Real>& r) const { return along(r.x - low.x, per_width, x_cells); }
+    ANEURYSM_HD Index y_cell(const Vec3T<Real>& r) const { return along(r.y - low.y, per_width, y_cells); }
+    ANEURYSM_HD Index z_cell(const Vec3T<Real>& r) const { return along(r.z - low.z, per_width, z_cells); }
+    ANEURYSM_HD Index index(Index x, Index y, Index z) const { return (z * y_cells + y) * x_cells + x; }
+    ANEURYSM_HD Index cell(const Vec3T<Real>& r) const { return index(x_cell(r), y_cell(r), z_cell(r)); }
+};
+
+/// What stays the same through a run. SI units.
+template <class Real>
+struct Constants {
+    Kernel<Real> kernel;
+    VesselT<Real> vessel;
+    Grid<Real> grid;
+    PressureModel model;
+    Index particles = 0;
+    Index walls = 0; ///< ghosts of the wall, as many as it ever has
+    Real dx = 0;
+    Real dt = 0; ///< of a flow step
+    Real mass = 0;
+    Real rho_0 = 0;
+    Real mu = 0;
+    Vec3T<Real> g{};
+    Real kappa = 0; ///< of the equation of state
+    Real omega = 0; ///< of the pressure's iteration
+    Real tolerance = 0;
+    Real max_tolerance = 0;
+    Real blow_up_ratio = 0;
+    Real impact_band = 0;      ///< [m]
+    Real open_end = 0;         ///< nearer to an open end than this is not interior [m]
+    Real recycle_distance = 0; ///< [m]
+    Real breach_radius = 0;    ///< [m]
+    double p_outlet = 0;       ///< p_const [Pa]
+
+    /// The body that fills up lists: far away, without mass.
+    ANEURYSM_HD Index null_body() const { return particles; }
+    ANEURYSM_HD Index first_wall() const { return particles + 1; }
+    ANEURYSM_HD Index bodies() const { return particles + 1 + walls; }
+};
+
+/// Lists of neighbours in blocks of eight, filled up with the null body. Those of body i are the blocks
+/// begin[i] to begin[i + 1] - 1.
+struct Lists {
+    Index* begin = nullptr;  ///< [particles + 1], in blocks
+    Index* blocks = nullptr; ///< [particles], how many
+    Index* body = nullptr;   ///< [8 * capacity]
+    Index capacity = 0;      ///< blocks that `body` has room for
+};
+
+/// What went wrong in a frame, first step first, then the lowest particle.
+enum class Fault : std::int32_t { none, density, moved_too_far, displacement, lists_full };
+
+/// What a frame carries beside its arrays.
+struct Scene {
+    AneurysmState aneurysm;
+    Ledger ledger;
+    double outlet_velocity[2]; ///< outward [m/s]
+
+    FrameRecord record;
+    double inlet_velocity;     ///< (25), of this step [m/s]
+    double outlet_was[2];      ///< outlet_velocity before this step [m/s]
+    Index resets[3];           ///< slabs to be put back into their pattern
+    Index resetting;           ///< 1: there are some left
+    double solve_t;            ///< the momentum's sequence, see (3)
+    double solve_theta;        ///< its factor
+    double density_correction; ///< beta
+    Index solving;             ///< 1: (3) is not met yet
+    Index solve_iterations;
+    Index max_iterations;
+    Fault fault;
+    Index fault_particle;
+    double fault_value;
+    Index free_blocks; ///< that the lists of this frame wanted
+    Index ghost_blocks;
+};
+
+/// All arrays in device memory. `id`: by a particle's identity, through the whole run; `sorted`: by the order
+/// of cells, free particles first, then ghosts of the open ends, then the reserve.
+template <class Real>
+struct Fields {
+    Constants<Real> c;
+    Scene* scene = nullptr;
+    const double* inlet_velocities =
+        nullptr;    ///< (25) at the start and the end of each flow step of the frame
+    Index step = 0; ///< flow step in the frame
+
+    // by id, [particles]
+    Row<Real>* position = nullptr; ///< w: not used [m]
+    Row<Real>* velocity = nullptr; ///< w: not used [m/s]
+    Real* pressure = nullptr;      ///< [Pa]
+    Kind* kind = nullptr;
+    Real* density = nullptr;         ///< [kg/m^3]
+    Real* solved_pressure = nullptr; ///< [flow steps * particles] [Pa]
+    Index* event = nullptr;          ///< what the controller did, a sum of Event
+
+    // bodies: particles, sorted; the null body; the wall's ghosts, by cell
+    Row<Real>* body_position = nullptr; ///< w: mass [m, kg]
+    Row<Real>* body_velocity = nullptr; ///< w: density of what is free, (26)'s pressure of ghosts
+    Index* is_mirror = nullptr;         ///< 1: a ghost with its neighbour's pressure
+
+    // sorted, [particles + 1]
+    Index* key = nullptr;
+    Index* sorted_key = nullptr;
+    Index* order = nullptr;            ///< id
+    Index* start = nullptr;            ///< [2 * cells + 2] first body of each key
+    const Index* wall_start = nullptr; ///< [cells + 1]
+    const Row<Real>* wall_position =
+        nullptr; ///< [walls] by cell; w: mass where the sac doesn't reach, else -1
+    Lists free{};
+    Lists ghosts{};
+    Real* gradient = nullptr; ///< m_j grad W_ij of free neighbours, [24 * blocks]; null: computed when needed
+    Row<Real>* ghost_gradient = nullptr;  ///< sum of m_j grad W_ij over ghosts; w: sum of m_j grad W_ij . v_j
+    Row<Real>* force = nullptr;           ///< (7) [N/m^3]
+    Row<Real>* acceleration = nullptr;    ///< of the blood's own pressure [m/s^2]
+    Row<Real>* solved_velocity = nullptr; ///< at the end of the step [m/s]
+    Real* p = nullptr;                    ///< where (3) is evaluated [Pa]
+    Real* p_old = nullptr;                ///< before the momentum [Pa]
+    Real* alpha = nullptr;                ///< DFSPH factor
+    Real* rate = nullptr;                 ///< Drho/Dt
+    Real* impact = nullptr;               ///< [N]; -1: doesn't touch the sac
+    Real* impact_eos = nullptr;
+
+    // the controller's
+    const Row<Real>* pattern = nullptr; ///< the three slabs as sampled
+    Index pattern_begin[4] = {0, 0, 0, 0};
+    Index* flag = nullptr;       ///< [particles]
+    Index* rank = nullptr;       ///< [particles + 1]
+    Index* entering = nullptr;   ///< [particles] 1 + its open end
+    Index* entry_rank = nullptr; ///< [particles + 1]
+    Index* reserve = nullptr;    ///< [particles] ids
+
+    /// Sorted bodies that are free, and that take part at all.
+    ANEURYSM_HD Index free_count() const { return start[c.grid.cells()]; }
+    ANEURYSM_HD Index active_count() const { return start[2 * c.grid.cells()]; }
+};
+
+} // namespace aneurysm::device

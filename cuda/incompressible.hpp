@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+// Section 3.1: the incompressible pressure (3), by the same iteration as reference/incompressible.hpp:
+// Nesterov's accelerated projected gradient with restart.
+#pragma once
+
+#include "cuda/blood_flow.hpp"
+
+namespace aneurysm::device
+{
+
+/// What one evaluation of (3) sums up over the free particles.
+struct SolveSums {
+    double count = 0;
+    double residual = 0; ///< |residual| / rho_0 where the pressure can act [1/s]
+    double residual_max = 0;
+    double divergence = 0; ///< |Drho/Dt| / rho_0 [1/s]
+    double divergence_max = 0;
+    double restart = 0; ///< positive: the momentum points uphill
+
+    ANEURYSM_HD SolveSums& operator+=(const SolveSums& b)
+    {
+        count += b.count;
+        residual += b.residual;
+        residual_max = residual_max < b.residual_max ? b.residual_max : residual_max;
+        divergence += b.divergence;
+        divergence_max = divergence_max < b.divergence_max ? b.divergence_max : divergence_max;
+        restart += b.restart;
+        return *this;
+    }
+};
+
+/// DFSPH factor (Bender and Koschier 2015); 0 for a body without neighbours:
+///
+///     alpha_i = 1 / ( |sum_j m_j grad W_ij|^2 + sum_{j free} |m_j grad W_ij|^2 )               [m^8/kg^2]
+template <class Real>
+ANEURYSM_HD Real dfsph_factor(const Vec3T<Real>& sum, Real squares)
+{
+    const Real denominator = dot(sum, sum) + squares;
+    return denominator > 0 ? 1 / denominator : 0;
+}
+
+/// Pressure acceleration in its momentum-conserving form; a ghost adds its neighbour's pressure once:
+///
+///     a_i = -sum_j m_j (p_i + p_j) / rho_0^2 grad W_ij                                        [m/s^2]
+template <class Real>
+ANEURYSM_HD Vec3T<Real> pressure_acceleration(const Fields<Real>& f, Index i, Lane lane)
+{
+    const Real p_i = f.p[i];
+    const Lanes<Real> own(p_i);
+    Vec3T<Lanes<Real>> a;
+    for_each_block(f.free, i, lane, [&](Index b, const Lanes<Index>& j) {
+        a += (own + gather(f.p, j)) * gradient(f, i, b, j, lane);
+    });
+    const Vec3T<Real> total = sum(a, lane) + p_i * f.ghost_gradient[i].vector();
+    return -1 / (f.c.rho_0 * f.c.rho_0) * total;
+}
+
+/// beta (rho_i - rho_0) / dt + Drho_i/Dt: what (3) leaves over, in kg/(m^3 s).
+template <class Real>
+ANEURYSM_HD Real residual(const Fields<Real>& f, Index i)
+{
+    const Real beta = static_cast<Real>(f.scene->density_correction);
+    return beta * (f.body_velocity[i].w - f.c.rho_0) / f.c.dt + f.rate[i];
+}
+
+/// The pressure of particle i after a step along its residual, p >= 0.
+template <class Real>
+ANEURYSM_HD Real projected(const Fields<Real>& f, Index i)
+{
+    const Real p = f.p[i] + f.c.omega * f.c.rho_0 * f.c.rho_0 / f.c.dt * f.alpha[i] * residual(f, i);
+    return p > 0 ? p : 0;
+}
+
+/// A body whose factor is this many times the smallest is spray: pressure could hardly move it.
+inline constexpr int spray = 1000;
+
+/// The smallest DFSPH factor, as the largest of its inverse.
+struct LargestInverse {
+    double value = 0;
+
+    ANEURYSM_HD LargestInverse& operator+=(const LargestInverse& b)
+    {
+        value = value < b.value ? b.value : value;
+        return *this;
+    }
+};
+template <class Real>
+struct InverseFactor {
+    Fields<Real> f;
+
+    ANEURYSM_HD LargestInverse operator()(Index i) const
+    {
+        return {f.alpha[i] > 0 ? 1 / static_cast<double>(f.alpha[i]) : 0};
+    }
+};
+
+/// Takes spray out, and starts from the last step's pressure; a particle that has none starts from its
+/// neighbours' mean.
+template <class Real>
+struct StartSolve {
+    Fields<Real> f;
+    const LargestInverse* largest;
+    bool from_zero;
+
+    ANEURYSM_HD void operator()(Index i, Lane lane) const
+    {
+        Real p = from_zero ? 0 : f.pressure[f.order[i]];
+        if (p < 0) {
+            p = neighbors_mean(i, lane);
+        }
+        if (lane.is_first()) {
+            const bool is_spray = !(static_cast<double>(f.alpha[i]) * largest->value <= spray);
+            f.p_old[i] = is_spray ? 0 : p; // the others' p is still to be read
+            f.alpha[i] = is_spray ? 0 : f.alpha[i];
+        }
+    }
+
+private:
+    ANEURYSM_HD Real neighbors_mean(Index i, Lane lane) const
+    {
+        Lanes<Real> total;
+        Lanes<Real> count;
+        for_each_block(f.free, i, lane, [&](Index, const Lanes<Index>& j) {
+            const Lanes<Real> p = gather(f.p, j);
+            const Mask known = p >= Lanes<Real>(0);
+            const Mask real = j != Lanes<Index>(f.c.null_body());
+            total += select(known & real, p, Lanes<Real>(0));
+            count += select(known & real, Lanes<Real>(1), Lanes<Real>(0));
+        });
+        const Real n = sum(count, lane);
+        const Real t = sum(total, lane);
+        return n > 0 ? t / n : 0;
+    }
+};
+
+/// The pressure that the last step left, in sorted order.
+template <class Real>
+struct SortPressure {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index i) const { f.p[i] = f.pressure[f.order[i]]; }
+};
+
+template <class Real>
+struct FirstPressure {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index i) const { f.p[i] = f.p_old[i]; }
+};
+
+/// a(p) and v = v* + dt a.
+template <class Real>
+struct Accelerate {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index i, Lane lane) const
+    {
+        const Vec3T<Real> a = pressure_acceleration(f, i, lane);
+        if (lane.is_first()) {
+            f.acceleration[i] = row(a, Real(0));
+            f.solved_velocity[i] = row(f.body_velocity[i].vector() + f.c.dt * a, Real(0));
+        }
+    }
+};
+
+template <class Real>
+struct Rates {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index i, Lane lane) const
+    {
+        const Real rate = density_rate(f, f.solved_velocity, i, lane);
+        if (lane.is_first()) {
+            f.rate[i] = rate;
+        }
+    }
+};
+
+template <class Real>
+struct Residuals {
+    Fields<Real> f;
+
+    ANEURYSM_HD SolveSums operator()(Index i) const
+    {
+        const double r = static_cast<double>(residual(f, i));
+        const double rho_0 = static_cast<double>(f.c.rho_0);
+        const bool acts = f.alpha[i] > 0 && (f.p[i] > 0 || r > 0);
+        const double absolute = acts ? (r < 0 ? -r : r) / rho_0 : 0;
+        const double rate = static_cast<double>(f.rate[i]);
+        const double divergence = (rate < 0 ? -rate : rate) / rho_0;
+        const Real p = projected(f, i);
+        const double uphill = f.alpha[i] > 0
+                                  ? static_cast<double>(f.p[i] - p) * static_cast<double>(p - f.p_old[i]) /
+                                        static_cast<double>(f.alpha[i])
+                                  : 0;
+        return {1, absolute, absolute, divergence, divergence, uphill};
+    }
+};
+
+/// Before the first evaluation of a solve.
+struct BeginSolve {
+    Scene* scene;
+    double density_correction;
+    Index max_iterations;
+
+    ANEURYSM_HD void operator()() const
+    {
+        scene->solving = 1;
+        scene->solve_iterations = 0;
+        scene->max_iterations = max_iterations;
+        scene->solve_t = 1;
+        scene->density_correction = density_correction;
+    }
+};
+
+/// Whether (3) is met, and if not, the momentum of the next iteration.
+struct Decide {
+    Scene* scene;
+    const SolveSums* sums;
+    double tolerance;
+    double max_tolerance;
+
+    ANEURYSM_HD void operator()() const
+    {
+        Scene& s = *scene;
+        const double count = sums->count > 0 ? sums->count : 1;
+        s.record.residual_mean = sums->residual / count;
+        s.record.residual_max = sums->residual_max;
+        s.record.divergence_mean = sums->divergence / count;
+        s.record.divergence_max = sums->divergence_max;
+        const bool met = s.record.residual_mean <= tolerance && s.record.residual_max <= max_tolerance;
+        s.solving = !met && s.solve_iterations < s.max_iterations ? 1 : 0;
+        if (s.solving == 0) {
+            s.record.iterations += s.solve_iterations;
+            return;
+        }
+        ++s.solve_iterations;
+        const double t = sums->restart > 0 ? 1 : s.solve_t;
+        s.solve_t = (1 + std::sqrt(1 + 4 * t * t)) / 2;
+        s.solve_theta = (t - 1) / s.solve_t;
+    }
+};
+
+/// One iteration: a step along the residual, then the momentum.
+template <class Real>
+struct Iterate {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index i) const
+    {
+        const Real p = projected(f, i);
+        const Real next = p + static_cast<Real>(f.scene->solve_theta) * (p - f.p_old[i]);
+        f.p[i] = next > 0 ? next : 0;
+        f.p_old[i] = p;
+    }
+};
+
+} // namespace aneurysm::device

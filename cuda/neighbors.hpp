@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sorting into cells, and the lists of neighbours.
+#pragma once
+
+#include "cuda/fields.hpp"
+#include "cuda/hits.hpp"
+
+namespace aneurysm::device
+{
+
+/// The key that particles are sorted by: free ones by cell, then ghosts of the open ends by cell, then the
+/// reserve.
+template <class Real>
+struct Keys {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index id) const
+    {
+        const Index cells = f.c.grid.cells();
+        const Kind kind = f.kind[id];
+        const Index cell = f.c.grid.cell(f.position[id].vector());
+        f.key[id] = kind == Kind::reserve ? 2 * cells : is_free(kind) ? cell : cells + cell;
+    }
+};
+
+/// First place of each key in the sorted order; the last is the number of particles.
+template <class Real>
+struct Starts {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index s) const // 0 .. particles
+    {
+        const Index end = 2 * f.c.grid.cells() + 1;
+        const Index from = s == 0 ? 0 : f.sorted_key[s - 1] + 1;
+        const Index to = s == f.c.particles ? end : f.sorted_key[s];
+        for (Index k = from; k <= to; ++k) {
+            f.start[k] = s;
+        }
+    }
+};
+
+/// Bodies in a row of cells along x.
+struct Range {
+    Index begin;
+    Index end;
+};
+
+/// The nine rows of three cells around a place.
+template <class Real, class Visit>
+ANEURYSM_HD void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, const Index* start,
+                              const Visit& visit)
+{
+    const Index x = grid.x_cell(r);
+    const Index y = grid.y_cell(r);
+    const Index z = grid.z_cell(r);
+    const Index left = x > 0 ? x - 1 : x;
+    const Index right = x + 1 < grid.x_cells ? x + 1 : x;
+    for (Index dz = -1; dz <= 1; ++dz) {
+        for (Index dy = -1; dy <= 1; ++dy) {
+            if (y + dy >= 0 && y + dy < grid.y_cells && z + dz >= 0 && z + dz < grid.z_cells) {
+                const Index first = grid.index(0, y + dy, z + dz);
+                const Range range{start[first + left], start[first + right + 1]};
+                if (range.begin < range.end) {
+                    visit(range);
+                }
+            }
+        }
+    }
+}
+
+/// Free and ghost neighbours of sorted particle i, itself left out, in the order of bodies: counted, or
+/// written into its lists.
+template <class Real, bool fill>
+struct Search {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index i, Lane lane) const
+    {
+        const Index cells = f.c.grid.cells();
+        Hits<fill> hits(fill ? f.free.body + lane_count * f.free.begin[i] : nullptr);
+        collect(i, f.start, 0, hits, lane);
+        finish(f.free, i, hits, lane);
+
+        Hits<fill> ghosts(fill ? f.ghosts.body + lane_count * f.ghosts.begin[i] : nullptr);
+        collect(i, f.start + cells, 0, ghosts, lane);
+        collect(i, f.wall_start, f.c.first_wall(), ghosts, lane);
+        finish(f.ghosts, i, ghosts, lane);
+    }
+
+private:
+    ANEURYSM_HD void collect(Index i, const Index* start, Index first, Hits<fill>& hits, Lane lane) const
+    {
+        const Row<Real> own = f.body_position[i];
+        const Vec3T<Lanes<Real>> r{own.x, own.y, own.z};
+        const Lanes<Real> H2(f.c.kernel.support() * f.c.kernel.support());
+        for_each_row(f.c.grid, own.vector(), start, [&](Range range) {
+            for (Index k = first + range.begin; k < first + range.end; k += lane_count) {
+                const RowLanes<Real> other = load_rows(f.body_position + k, lane);
+                const Vec3T<Lanes<Real>> x = r - other.vector();
+                const Lanes<Index> j = Lanes<Index>(k) + numbers(lane);
+                const Mask is_other = (j < Lanes<Index>(first + range.end)) & (j != Lanes<Index>(i));
+                hits.add((dot(x, x) < H2) & is_other & (Lanes<Real>(0) < other.w), j, lane);
+            }
+        });
+    }
+    ANEURYSM_HD void finish(const Lists& lists, Index i, Hits<fill>& hits, Lane lane) const
+    {
+        if constexpr (fill) {
+            hits.pad(f.c.null_body(), lane);
+        } else if (lane.is_first()) {
+            lists.blocks[i] = (hits.count() + lane_count - 1) / lane_count;
+        }
+    }
+};
+
+} // namespace aneurysm::device

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cuda/setup.hpp"
+
+#include "common/error.hpp"
+#include "common/scenario_limits.hpp"
+#include "cuda/bifurcation.hpp"
+#include "cuda/kernel_function.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace aneurysm::device
+{
+namespace
+{
+
+/// Calls visit(x) for the points of the lattice of spacing dx within `support` of the origin.
+template <class Visit>
+void for_each_lattice_neighbor(double dx, double support, const Visit& visit)
+{
+    const int n = static_cast<int>(support / dx) + 1;
+    for (int x = -n; x <= n; ++x) {
+        for (int y = -n; y <= n; ++y) {
+            for (int z = -n; z <= n; ++z) {
+                visit(dx * Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+            }
+        }
+    }
+}
+
+/// \throws InputError when a step is longer, or the iteration of (3) stronger, than the flow stays stable for
+void check_stability(const Scenario& s, double dx)
+{
+    const double dt = s.time.frame_s / static_cast<double>(s.time.substeps);
+    const double longest = step_limits(s, dx).smallest();
+    if (dt > longest) {
+        throw InputError("time.substeps",
+                         std::to_string(s.time.substeps) + " makes a step of " + std::to_string(dt) +
+                             " s, above the stability limit of " + std::to_string(longest) + " s",
+                         "needed: at least " +
+                             std::to_string(static_cast<int>(std::ceil(s.time.frame_s / longest))));
+    }
+    const double omega = relaxation_limit(s.kernel.function, s.kernel.smoothing_length_spacings);
+    if (s.pressure.model == PressureModel::dfsph && s.pressure.relaxation >= omega) {
+        throw InputError("pressure.relaxation", std::to_string(s.pressure.relaxation) + " is not stable",
+                         "allowed: below " + std::to_string(omega) +
+                             ", the limit of this kernel on a full lattice");
+    }
+}
+
+} // namespace
+
+double lattice_kernel_sum(KernelName name, double h, double dx)
+{
+    const Kernel<double> W(name, h);
+    double sum = 0;
+    for_each_lattice_neighbor(dx, 2 * h, [&](const Vec3& x) { sum += first(W.value(length(x))); });
+    return sum;
+}
+
+double relaxation_limit(KernelName name, double ratio)
+{
+    constexpr int points = 32;       // an axis: finds the largest eigenvalue to 0.15 %
+    constexpr double margin = 1.002; // more than that
+    const Kernel<double> W(name, ratio);
+    const auto gradient = [&](const Vec3& x) { return first(W.gradient_factor(length(x))) * x; };
+    double squares = 0;
+    for_each_lattice_neighbor(1, 2 * ratio, [&](const Vec3& x) { squares += dot(gradient(x), gradient(x)); });
+    double largest = 0;
+    for (int i = 0; i <= points; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            for (int l = 0; l <= j; ++l) {
+                const Vec3 k = std::numbers::pi / points *
+                               Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(l)};
+                Vec3 symbol;
+                for_each_lattice_neighbor(
+                    1, 2 * ratio, [&](const Vec3& x) { symbol += std::sin(dot(k, x)) * gradient(x); });
+                largest = std::max(largest, dot(symbol, symbol));
+            }
+        }
+    }
+    return 4.0 / 3 * squares / (margin * largest);
+}
+
+Setup::Setup(const Scenario& scenario, const std::optional<SimulationState>& state)
+    : vessel(scenario, daughter_radius(scenario.vessel.radius_m)),
+      lattice(sample(scenario, vessel, daughter_radius(scenario.vessel.radius_m),
+                     state ? std::optional(state->spacing) : std::nullopt)),
+      h(scenario.kernel.smoothing_length_spacings * lattice.spacing),
+      particle_mass(scenario.fluid.density_kg_m3 /
+                    lattice_kernel_sum(scenario.kernel.function, h, lattice.spacing)),
+      ghosts(ghost_lattice(scenario, vessel, lattice.spacing, 2 * h, particle_mass))
+{
+    check_stability(scenario, lattice.spacing);
+}
+
+} // namespace aneurysm::device
