@@ -30,13 +30,13 @@ struct Statistics {
     double mean() const { return count > 0 ? sum / count : 0; }
 };
 
-/// The mutable state of one solve.
-class JacobiSolve
+/// The state of one solve.
+class AcceleratedSolve
 {
 public:
-    JacobiSolve(const Bodies& b, const Neighbors& neighbors, std::span<const double> rho, double dt,
-                const IncompressibleSettings& settings, std::span<double> p, std::span<Vec3> a)
-        : b_(b), neighbors_(neighbors), rho_(rho), dt_(dt), settings_(settings), p_(p), a_(a), v_(b.velocity),
+    AcceleratedSolve(const Bodies& b, const Neighbors& neighbors, std::span<const double> rho, double dt,
+                     const IncompressibleSettings& settings, std::span<double> p, std::span<Vec3> a)
+        : b_(b), neighbors_(neighbors), rho_(rho), dt_(dt), settings_(settings), y_(p), a_(a), v_(b.velocity),
           alpha_(b.size(), 0), residual_(b.size(), 0)
     {
         double smallest = std::numeric_limits<double>::infinity();
@@ -48,16 +48,18 @@ public:
             if (!(alpha_[i] <= spray * smallest)) {
                 alpha_[i] = 0;
             }
-            p[i] = alpha_[i] > 0 ? p[i] : 0;
+            y_[i] = alpha_[i] > 0 ? y_[i] : 0;
         }
+        p_old_.assign(y_.begin(), y_.end());
+        p_new_ = p_old_;
     }
 
-    /// a(p), v = v* + dt a, and the residual of (3) with it.
+    /// a(y), v = v* + dt a, and the residual of (3) with it.
     IncompressibleReport evaluate()
     {
         for (std::size_t i = 0; i < b_.size(); ++i) {
             if (b_.free(i)) {
-                a_[i] = pressure_acceleration(b_, neighbors_.of(i), p_, settings_.rho_0, i);
+                a_[i] = pressure_acceleration(b_, neighbors_.of(i), y_, settings_.rho_0, i);
                 v_[i] = b_.velocity[i] + dt_ * a_[i];
             }
         }
@@ -67,7 +69,7 @@ public:
             if (b_.free(i)) {
                 const double rate = density_rate(b_, neighbors_.of(i), v_, i);
                 residual_[i] = settings_.density_correction * (rho_[i] - settings_.rho_0) / dt_ + rate;
-                const bool acts = p_[i] > 0 || (residual_[i] > 0 && alpha_[i] > 0);
+                const bool acts = y_[i] > 0 || (residual_[i] > 0 && alpha_[i] > 0);
                 residuals.add(acts ? std::abs(residual_[i]) / settings_.rho_0 : 0);
                 divergences.add(std::abs(rate) / settings_.rho_0);
             }
@@ -75,28 +77,65 @@ public:
         return {0, residuals.mean(), residuals.largest, divergences.mean(), divergences.largest};
     }
 
-    /// One Jacobi update of the pressures.
-    void relax()
+    void iterate()
+    {
+        step();
+        if (goes_back()) {
+            t_ = 1;
+        }
+        add_momentum();
+    }
+
+private:
+    /// p_new = max(0, y + omega rho_0^2 alpha residual / dt).
+    void step()
     {
         const double factor = settings_.relaxation * settings_.rho_0 * settings_.rho_0 / dt_;
         for (std::size_t i = 0; i < b_.size(); ++i) {
             if (b_.free(i)) {
-                p_[i] = std::max(0.0, p_[i] + factor * alpha_[i] * residual_[i]);
+                p_new_[i] = std::max(0.0, y_[i] + factor * alpha_[i] * residual_[i]);
             }
         }
     }
 
-private:
+    /// Whether the step from y to p_new turns back from the way that p_old to p_new went. Over alpha, as the
+    /// step is one along the gradient in the variables p / sqrt(alpha).
+    bool goes_back() const
+    {
+        double sum = 0;
+        for (std::size_t i = 0; i < b_.size(); ++i) {
+            if (alpha_[i] > 0) {
+                sum += (y_[i] - p_new_[i]) * (p_new_[i] - p_old_[i]) / alpha_[i];
+            }
+        }
+        return sum > 0;
+    }
+
+    /// y = max(0, p_new + theta (p_new - p_old)).
+    void add_momentum()
+    {
+        const double t = (1 + std::sqrt(1 + 4 * t_ * t_)) / 2;
+        const double theta = (t_ - 1) / t;
+        for (std::size_t i = 0; i < b_.size(); ++i) {
+            y_[i] = std::max(0.0, p_new_[i] + theta * (p_new_[i] - p_old_[i]));
+        }
+        std::swap(p_old_, p_new_);
+        t_ = t;
+    }
+
     const Bodies& b_;
     const Neighbors& neighbors_;
     std::span<const double> rho_;
     double dt_;
     const IncompressibleSettings& settings_;
-    std::span<double> p_;
+    std::span<double> y_;
     std::span<Vec3> a_;
     std::vector<Vec3> v_;
     std::vector<double> alpha_;
     std::vector<double> residual_;
+    std::vector<double> p_old_;
+    std::vector<double> p_new_;
+    double t_ = 1;
 };
 
 } // namespace
@@ -121,12 +160,12 @@ IncompressibleReport solve_incompressibility(const Bodies& b, const Neighbors& n
                                              const IncompressibleSettings& settings, std::span<double> p,
                                              std::span<Vec3> a)
 {
-    JacobiSolve solve(b, neighbors, rho, dt, settings, p, a);
+    AcceleratedSolve solve(b, neighbors, rho, dt, settings, p, a);
     IncompressibleReport report = solve.evaluate();
     std::int64_t iterations = 0;
     while (iterations < settings.max_iterations &&
            !(report.residual_mean <= settings.tolerance && report.residual_max <= settings.max_tolerance)) {
-        solve.relax();
+        solve.iterate();
         report = solve.evaluate();
         ++iterations;
     }
@@ -198,7 +237,7 @@ double relaxation_limit(KernelName kernel, double ratio)
             }
         }
     }
-    return 2 * squares / (margin * largest);
+    return 4.0 / 3 * squares / (margin * largest);
 }
 
 } // namespace aneurysm::reference

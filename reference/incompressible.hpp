@@ -56,11 +56,16 @@ double dfsph_factor(const Bodies& b, std::span<const Neighbor> neighbors);
 ///
 ///     beta (rho_i - rho_0) / dt + Drho_i/Dt(v) = 0   (<= 0 where p_i = 0: blood does not pull)
 ///
-/// by relaxed Jacobi iteration from the pressures given (the last step's),
+/// by the accelerated projected gradient method (Nesterov 1983) with restarts (O'Donoghue and Candes 2015),
+/// from the pressures given (the last step's) as y and p_old, and t = 1. One iteration is
 ///
-///     p_i <- max(0, p_i + omega rho_0^2 alpha_i residual_i / dt);
+///     p_i    = max(0, y_i + omega rho_0^2 alpha_i residual_i / dt)
+///     t     <- 1  if  sum_i (y_i - p_i) (p_i - p_old_i) / alpha_i > 0       (the momentum leads astray)
+///     t'     = (1 + sqrt(1 + 4 t^2)) / 2,   theta = (t - 1) / t'
+///     y_i    = max(0, p_i + theta (p_i - p_old_i));   p_old <- p,   t <- t'
 ///
-/// spray, whose alpha_i is out of all proportion, has p_i = 0 and doesn't count.
+/// with the residual of y; the y whose residual is within the tolerances is the solution. Spray, whose
+/// alpha_i is out of all proportion, has no pressure and doesn't count.
 ///
 /// With beta = 1 the density is rho_0 after the step, with beta = 0 the velocity is divergence-free.
 ///
@@ -76,8 +81,14 @@ IncompressibleReport solve_incompressibility(const Bodies& b, const Neighbors& n
 IncompressibleReport divergence_report(const Bodies& b, const Neighbors& neighbors, std::span<const Vec3> v,
                                        double rho_0);
 
-/// The largest omega for which the iteration of (3) damps every mode of a full cubic lattice with h/dx =
-/// ratio: 2 / max_k alpha m^2 |sum_j grad W_j exp(-i k.r_j)|^2.
+/// The omega below which the iteration of (3) damps every mode of a full cubic lattice with h/dx = ratio, for
+/// each theta:
+///
+///     4/3 / max_k lambda,   lambda(k) = alpha m^2 |sum_j grad W_j exp(-i k.r_j)|^2.
+///
+/// A step without momentum multiplies a mode's error by g = 1 - omega lambda <= 1, an iteration by the roots
+/// of z^2 - (1 + theta) g z + theta g = 0. These are inside the unit circle while the left side is positive
+/// at z = -1, which is 1 + (1 + 2 theta) g > 0; theta tends to 1, so that g must not be less than -1/3.
 double relaxation_limit(KernelName kernel, double ratio);
 
 /// Sum of W over the cubic lattice of spacing dx; rho_0 / this is the particle mass that makes the lattice's

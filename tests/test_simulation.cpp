@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(phases_follow_one_another)
     BOOST_TEST(quick_run().states.back().aneurysm.rupture_frame ==
                static_cast<std::int64_t>(rupture_of(quick_run())));
     Run faulty = quick_run();
-    faulty.frames[19].phase = Phase::growing; // a frame too early
+    faulty.frames[49].phase = Phase::growing; // a frame too early
     BOOST_TEST(!passes_its_phases(faulty));
     faulty = quick_run();
     faulty.frames[rupture_of(faulty) - 1].critical_pressure *= 2; // it need not have ruptured
