@@ -15,14 +15,14 @@ struct Vec3T {
     Real y = 0;
     Real z = 0;
 
-    ANEURYSM_HD constexpr Vec3T& operator+=(const Vec3T& b)
+    ANEURYSM_INLINE constexpr Vec3T& operator+=(const Vec3T& b)
     {
         x += b.x;
         y += b.y;
         z += b.z;
         return *this;
     }
-    ANEURYSM_HD constexpr Vec3T& operator-=(const Vec3T& b)
+    ANEURYSM_INLINE constexpr Vec3T& operator-=(const Vec3T& b)
     {
         x -= b.x;
         y -= b.y;
@@ -32,52 +32,52 @@ struct Vec3T {
 };
 
 template <class Real>
-ANEURYSM_HD constexpr bool operator==(const Vec3T<Real>& a, const Vec3T<Real>& b)
+ANEURYSM_INLINE constexpr bool operator==(const Vec3T<Real>& a, const Vec3T<Real>& b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 template <class Real>
-ANEURYSM_HD constexpr Vec3T<Real> operator+(Vec3T<Real> a, const Vec3T<Real>& b)
+ANEURYSM_INLINE constexpr Vec3T<Real> operator+(Vec3T<Real> a, const Vec3T<Real>& b)
 {
     return a += b;
 }
 template <class Real>
-ANEURYSM_HD constexpr Vec3T<Real> operator-(Vec3T<Real> a, const Vec3T<Real>& b)
+ANEURYSM_INLINE constexpr Vec3T<Real> operator-(Vec3T<Real> a, const Vec3T<Real>& b)
 {
     return a -= b;
 }
 template <class Real>
-ANEURYSM_HD constexpr Vec3T<Real> operator-(const Vec3T<Real>& a)
+ANEURYSM_INLINE constexpr Vec3T<Real> operator-(const Vec3T<Real>& a)
 {
     return {-a.x, -a.y, -a.z};
 }
 template <class Real>
-ANEURYSM_HD constexpr Vec3T<Real> operator*(Real s, const Vec3T<Real>& a)
+ANEURYSM_INLINE constexpr Vec3T<Real> operator*(Real s, const Vec3T<Real>& a)
 {
     return {s * a.x, s * a.y, s * a.z};
 }
 template <class Real>
-ANEURYSM_HD constexpr Vec3T<Real> operator*(const Vec3T<Real>& a, Real s)
+ANEURYSM_INLINE constexpr Vec3T<Real> operator*(const Vec3T<Real>& a, Real s)
 {
     return s * a;
 }
 template <class Real>
-ANEURYSM_HD constexpr Vec3T<Real> operator/(const Vec3T<Real>& a, Real s)
+ANEURYSM_INLINE constexpr Vec3T<Real> operator/(const Vec3T<Real>& a, Real s)
 {
     return {a.x / s, a.y / s, a.z / s};
 }
 template <class Real>
-ANEURYSM_HD constexpr Real dot(const Vec3T<Real>& a, const Vec3T<Real>& b)
+ANEURYSM_INLINE constexpr Real dot(const Vec3T<Real>& a, const Vec3T<Real>& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class Real>
-ANEURYSM_HD constexpr Vec3T<Real> cross(const Vec3T<Real>& a, const Vec3T<Real>& b)
+ANEURYSM_INLINE constexpr Vec3T<Real> cross(const Vec3T<Real>& a, const Vec3T<Real>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class Real>
-ANEURYSM_HD Real length(const Vec3T<Real>& a)
+ANEURYSM_INLINE Real length(const Vec3T<Real>& a)
 {
     return std::sqrt(dot(a, a));
 }

@@ -95,15 +95,20 @@ public:
           density_(executor, n_), solved_pressure_(executor, n_ * steps_), event_(executor, n_),
           body_position_(executor, constants_.bodies() + lane_count),
           body_velocity_(executor, constants_.bodies() + lane_count),
+          body_x_(executor, constants_.bodies() + lane_count),
+          body_y_(executor, constants_.bodies() + lane_count),
+          body_z_(executor, constants_.bodies() + lane_count),
           is_mirror_(executor, constants_.bodies() + lane_count), key_(executor, n_),
           sorted_key_(executor, n_), order_(executor, n_), start_(executor, 2 * constants_.grid.cells() + 2),
-          wall_start_(executor, constants_.grid.cells() + 1), wall_position_(executor, constants_.walls),
-          free_begin_(executor, n_ + 1), free_blocks_(executor, n_), ghost_begin_(executor, n_ + 1),
-          ghost_blocks_(executor, n_), ghost_gradient_(executor, n_), force_(executor, n_),
-          acceleration_(executor, n_), solved_velocity_(executor, n_ + 1), p_(executor, n_ + 1),
-          p_old_(executor, n_ + 1), alpha_(executor, n_), rate_(executor, n_), impact_(executor, n_),
-          impact_eos_(executor, n_), rank_(executor, n_ + 1), entry_rank_(executor, n_ + 1),
-          scene_(executor, 1), old_scene_(executor, 1), inlet_(executor, 2 * steps_), input_(executor, 1)
+          wall_start_(executor, constants_.grid.cells() + 1), near_wall_(executor, constants_.grid.cells()),
+          wall_position_(executor, constants_.walls), free_begin_(executor, n_ + 1),
+          free_blocks_(executor, n_), ghost_begin_(executor, n_ + 1), ghost_blocks_(executor, n_),
+          ghost_gradient_(executor, n_), force_(executor, n_), acceleration_(executor, n_),
+          solved_velocity_(executor, n_ + 1), p_(executor, n_ + 1), p_old_(executor, n_ + 1),
+          alpha_(executor, n_), source_(executor, n_), response_(executor, n_), rate_(executor, n_),
+          impact_(executor, n_), impact_eos_(executor, n_), rank_(executor, n_ + 1),
+          entry_rank_(executor, n_ + 1), scene_(executor, 1), old_scene_(executor, 1),
+          inlet_(executor, 2 * steps_), input_(executor, 1)
     {
         pattern_ = upload_patterns(setup);
         keep_gradients_ = gradients == Tuning::Gradients::kept ||
@@ -248,7 +253,7 @@ private:
     void place_null_body()
     {
         const Index at = constants_.null_body();
-        const Real far = 1e6;
+        constexpr Real far = Constants<Real>::far_away;
         const Row<Real> place{far, far, far, 0};
         const Row<Real> values{0, 0, 0, constants_.rho_0};
         const Row<Real> zeros{0, 0, 0, 0};
@@ -288,6 +293,28 @@ private:
         std::partial_sum(start.begin(), start.end(), start.begin());
         executor_->upload(wall_position_.get(), sorted.data(), sorted.size());
         executor_->upload(wall_start_.get(), start.data(), start.size());
+        std::vector<Index> near_wall(static_cast<std::size_t>(grid.cells()), 0);
+        for (const Row<Real>& w : walls) {
+            mark_around(near_wall, w.vector());
+        }
+        executor_->upload(near_wall_.get(), near_wall.data(), near_wall.size());
+    }
+    void mark_around(std::vector<Index>& cells, const Vec3T<Real>& x) const
+    {
+        const Grid<Real>& grid = constants_.grid;
+        const auto around = [](Index c, Index count) {
+            return std::pair{std::max(c - 1, Index{0}), std::min(c + 1, count - 1)};
+        };
+        const auto [z_low, z_high] = around(grid.z_cell(x), grid.z_cells);
+        const auto [y_low, y_high] = around(grid.y_cell(x), grid.y_cells);
+        const auto [x_low, x_high] = around(grid.x_cell(x), grid.x_cells);
+        for (Index k = z_low; k <= z_high; ++k) {
+            for (Index j = y_low; j <= y_high; ++j) {
+                for (Index i = x_low; i <= x_high; ++i) {
+                    cells[static_cast<std::size_t>(grid.index(i, j, k))] = 1;
+                }
+            }
+        }
     }
 
     void connect()
@@ -305,12 +332,16 @@ private:
         f.event = event_.get();
         f.body_position = body_position_.get();
         f.body_velocity = body_velocity_.get();
+        f.body_x = body_x_.get();
+        f.body_y = body_y_.get();
+        f.body_z = body_z_.get();
         f.is_mirror = is_mirror_.get();
         f.key = key_.get();
         f.sorted_key = sorted_key_.get();
         f.order = order_.get();
         f.start = start_.get();
         f.wall_start = wall_start_.get();
+        f.near_wall = near_wall_.get();
         f.wall_position = wall_position_.get();
         f.free = {free_begin_.get(), free_blocks_.get(), free_body_.get(), free_body_.size() / lane_count};
         f.ghosts = {ghost_begin_.get(), ghost_blocks_.get(), ghost_body_.get(),
@@ -323,6 +354,8 @@ private:
         f.p = p_.get();
         f.p_old = p_old_.get();
         f.alpha = alpha_.get();
+        f.source = source_.get();
+        f.response = response_.get();
         f.rate = rate_.get();
         f.impact = impact_.get();
         f.impact_eos = impact_eos_.get();
@@ -356,12 +389,16 @@ private:
     Array<Index> event_;
     Array<Row<Real>> body_position_;
     Array<Row<Real>> body_velocity_;
+    Array<Real> body_x_;
+    Array<Real> body_y_;
+    Array<Real> body_z_;
     Array<Index> is_mirror_;
     Array<Index> key_;
     Array<Index> sorted_key_;
     Array<Index> order_;
     Array<Index> start_;
     Array<Index> wall_start_;
+    Array<Index> near_wall_;
     Array<Row<Real>> wall_position_;
     Array<Index> free_begin_;
     Array<Index> free_blocks_;
@@ -374,6 +411,8 @@ private:
     Array<Real> p_;
     Array<Real> p_old_;
     Array<Real> alpha_;
+    Array<Real> source_;
+    Array<Real> response_;
     Array<Real> rate_;
     Array<Real> impact_;
     Array<Real> impact_eos_;

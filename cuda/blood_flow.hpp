@@ -17,7 +17,7 @@ struct Pairs {
 };
 
 template <class Real>
-ANEURYSM_HD Pairs<Real> pairs(const Fields<Real>& f, Index i, const Lanes<Index>& j)
+ANEURYSM_INLINE Pairs<Real> pairs(const Fields<Real>& f, Index i, const Lanes<Index>& j)
 {
     const Row<Real> own = f.body_position[i];
     const RowLanes<Real> other = gather_rows(f.body_position, j);
@@ -27,37 +27,35 @@ ANEURYSM_HD Pairs<Real> pairs(const Fields<Real>& f, Index i, const Lanes<Index>
 }
 
 template <class Real>
-ANEURYSM_HD Vec3T<Lanes<Real>> all_lanes(const Vec3T<Real>& v)
+ANEURYSM_INLINE Vec3T<Lanes<Real>> all_lanes(const Vec3T<Real>& v)
 {
     return {Lanes<Real>(v.x), Lanes<Real>(v.y), Lanes<Real>(v.z)};
 }
 
 /// m_j grad W_ij [kg/m^4]
 template <class Real>
-ANEURYSM_HD Vec3T<Lanes<Real>> gradient(const Fields<Real>& f, const Pairs<Real>& pair)
+ANEURYSM_INLINE Vec3T<Lanes<Real>> gradient(const Fields<Real>& f, const Pairs<Real>& pair)
 {
     return pair.m * f.c.kernel.gradient_factor(pair.r) * pair.x;
 }
 
 /// m_j grad W_ij of block b of the free neighbours of i, from memory where it is kept; the same bits.
-template <class Real>
-ANEURYSM_HD Vec3T<Lanes<Real>> gradient(const Fields<Real>& f, Index i, Index b, const Lanes<Index>& j,
-                                        Lane lane)
+template <bool kept, class Real>
+ANEURYSM_INLINE Vec3T<Lanes<Real>> gradient(const Fields<Real>& f, Index i, Index b, const Lanes<Index>& j,
+                                            Lane lane)
 {
-    if (f.gradient == nullptr) {
+    if constexpr (kept) {
+        const Real* G = f.gradient + 3 * lane_count * b;
+        return {load(G, lane), load(G + lane_count, lane), load(G + 2 * lane_count, lane)};
+    } else {
         return gradient(f, pairs(f, i, j));
     }
-    const Real* G = f.gradient + 3 * lane_count * b;
-    return {load(G, lane), load(G + lane_count, lane), load(G + 2 * lane_count, lane)};
 }
 
-/// Calls visit(block, j) for each block of eight neighbours of i.
-template <class Visit>
-ANEURYSM_HD void for_each_block(const Lists& lists, Index i, Lane lane, const Visit& visit)
+/// The eight neighbours in block b.
+ANEURYSM_INLINE Lanes<Index> neighbors(const Lists& lists, Index b, Lane lane)
 {
-    for (Index b = lists.begin[i]; b < lists.begin[i + 1]; ++b) {
-        visit(b, load(lists.body + lane_count * b, lane));
-    }
+    return load(lists.body + lane_count * b, lane);
 }
 
 /// Eq. (1)  The forces on a unit volume of blood, rho Dv/Dt = rho g + mu lap v - grad p:
@@ -73,16 +71,17 @@ ANEURYSM_HD Vec3T<Real> momentum_force(Real rho, const Vec3T<Real>& g, const Vec
 /// Eq. (2)  Drho/Dt = -rho div v, as the time derivative of (5); the ghosts' part is known before the solve:
 ///
 ///     Drho_i/Dt = sum_j m_j (v_i - v_j) . grad W_ij                                           [kg/(m^3 s)]
-template <class Real>
-ANEURYSM_HD Real density_rate(const Fields<Real>& f, const Row<Real>* v, Index i, Lane lane)
+template <bool kept, class Real>
+ANEURYSM_INLINE Real density_rate(const Fields<Real>& f, const Row<Real>* v, Index i, Lane lane)
 {
     const Vec3T<Real> own = v[i].vector();
     const Vec3T<Lanes<Real>> v_i = all_lanes(own);
     Lanes<Real> rate;
-    for_each_block(f.free, i, lane, [&](Index b, const Lanes<Index>& j) {
+    for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.free, b, lane);
         const Vec3T<Lanes<Real>> v_ij = v_i - gather_rows(v, j).vector();
-        rate += dot(v_ij, gradient(f, i, b, j, lane));
-    });
+        rate += dot(v_ij, gradient<kept>(f, i, b, j, lane));
+    }
     const Row<Real> ghosts = f.ghost_gradient[i];
     return sum(rate, lane) + (dot(own, ghosts.vector()) - ghosts.w);
 }
@@ -111,7 +110,7 @@ ANEURYSM_HD Real interpolate(const Kernel<Real>& W, const Vec3T<Real>& r, const 
 ///
 ///     rho_i = sum_j m_j W_ij                                                                  [kg/m^3]
 template <class Real>
-ANEURYSM_HD Lanes<Real> density(const Fields<Real>& f, const Pairs<Real>& pair)
+ANEURYSM_INLINE Lanes<Real> density(const Fields<Real>& f, const Pairs<Real>& pair)
 {
     return pair.m * f.c.kernel.value(pair.r);
 }
@@ -120,7 +119,7 @@ ANEURYSM_HD Lanes<Real> density(const Fields<Real>& f, const Pairs<Real>& pair)
 ///
 ///     p_i = kappa (rho_i - rho_0)                                                             [Pa]
 template <class Number>
-ANEURYSM_HD Number equation_of_state(const Number& kappa, const Number& rho, const Number& rho_0)
+ANEURYSM_INLINE Number equation_of_state(const Number& kappa, const Number& rho, const Number& rho_0)
 {
     return kappa * (rho - rho_0);
 }
@@ -139,17 +138,19 @@ ANEURYSM_HD Vec3T<Real> pressure_force(const Fields<Real>& f, Index i, Real outl
     const Number rho_0(f.c.rho_0);
     const Number p_i = equation_of_state(kappa, Number(f.body_velocity[i].w), rho_0);
     Vec3T<Number> force;
-    for_each_block(f.free, i, lane, [&](Index b, const Lanes<Index>& j) {
+    for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.free, b, lane);
         const Number rho_j = gather_rows(f.body_velocity, j).w;
         const Number p_j = equation_of_state(kappa, rho_j, rho_0);
-        force -= (p_i + p_j) / (Number(2) * rho_j) * gradient(f, i, b, j, lane);
-    });
-    for_each_block(f.ghosts, i, lane, [&](Index, const Lanes<Index>& j) {
+        force -= (p_i + p_j) / (Number(2) * rho_j) * gradient(f, pairs(f, i, j));
+    }
+    for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.ghosts, b, lane);
         const Mask mirror = Lanes<Index>(0) < gather(f.is_mirror, j);
         const Number p_outlet = Number(outlet_factor) * gather_rows(f.body_velocity, j).w;
         const Number p_j = select(mirror, p_i, p_outlet);
         force -= (p_i + p_j) / (Number(2) * rho_0) * gradient(f, pairs(f, i, j));
-    });
+    }
     return sum(force, lane);
 }
 
@@ -157,20 +158,24 @@ ANEURYSM_HD Vec3T<Real> pressure_force(const Fields<Real>& f, Index i, Real outl
 ///
 ///     F_i^viscosity = mu sum_j m_j (v_j - v_i) / rho_j lap W_ij                               [N/m^3]
 template <class Real>
-ANEURYSM_HD Vec3T<Real> viscosity_force(const Fields<Real>& f, Index i, Lane lane)
+ANEURYSM_INLINE Vec3T<Real> viscosity_force(const Fields<Real>& f, Index i, Lane lane)
 {
     using Number = Lanes<Real>;
     const Vec3T<Number> v_i = all_lanes(f.body_velocity[i].vector());
+    const Number mu(f.c.mu);
     Vec3T<Number> force;
-    const auto add = [&](const Lanes<Index>& j, bool free) {
+    for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.free, b, lane);
         const Pairs<Real> pair = pairs(f, i, j);
-        const RowLanes<Real> other = gather_rows(f.body_velocity, j);
-        const Number rho_j = free ? other.w : Number(f.c.rho_0);
-        force +=
-            Number(f.c.mu) * pair.m / rho_j * f.c.kernel.viscosity_laplacian(pair.r) * (other.vector() - v_i);
-    };
-    for_each_block(f.free, i, lane, [&](Index, const Lanes<Index>& j) { add(j, true); });
-    for_each_block(f.ghosts, i, lane, [&](Index, const Lanes<Index>& j) { add(j, false); });
+        const RowLanes<Real> other = gather_rows(f.body_velocity, j); // w: rho_j
+        force += mu * pair.m / other.w * f.c.kernel.viscosity_laplacian(pair.r) * (other.vector() - v_i);
+    }
+    for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.ghosts, b, lane);
+        const Pairs<Real> pair = pairs(f, i, j);
+        const Vec3T<Number> v_j = gather_rows(f.body_velocity, j).vector();
+        force += mu * pair.m / Number(f.c.rho_0) * f.c.kernel.viscosity_laplacian(pair.r) * (v_j - v_i);
+    }
     return sum(force, lane);
 }
 

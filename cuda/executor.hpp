@@ -55,15 +55,10 @@ ANEURYSM_HD Value reduce_lane(const Map& map, Index c, Index n, Index l)
     return value;
 }
 
-/// The sum of chunk c of the n values map(i): by lanes, then ((0+4)+(2+6))+((1+5)+(3+7)). Sums of more values
-/// are sums of their chunks' sums, in the same way. `Value{}` is the neutral element of its +=.
-template <class Value, class Map>
-ANEURYSM_HD Value reduce_chunk(const Map& map, Index c, Index n)
+/// The lanes' sums, added up as ((0+4)+(2+6))+((1+5)+(3+7)).
+template <class Value>
+ANEURYSM_HD Value join_lanes(Value* lanes)
 {
-    Value lanes[lane_count];
-    for (Index l = 0; l < lane_count; ++l) {
-        lanes[l] = reduce_lane<Value>(map, c, n, l);
-    }
     for (Index l = 0; l < lane_count / 2; ++l) {
         lanes[l] += lanes[l + 4];
     }
@@ -71,6 +66,25 @@ ANEURYSM_HD Value reduce_chunk(const Map& map, Index c, Index n)
     lanes[1] += lanes[3];
     lanes[0] += lanes[1];
     return lanes[0];
+}
+
+/// The sum of chunk c of the n values map(i): by lanes, which are then joined. Sums of more values are sums
+/// of their chunks' sums, in the same way. `Value{}` is the neutral element of its +=.
+template <class Value, class Map>
+Value reduce_chunk(const Map& map, Index c, Index n)
+{
+    Value lanes[lane_count];
+    const Index end = (c + 1) * chunk < n ? (c + 1) * chunk : n;
+    Index i = c * chunk;
+    for (; i + lane_count <= end; i += lane_count) {
+        for (Index l = 0; l < lane_count; ++l) {
+            lanes[l] += map(i + l);
+        }
+    }
+    for (Index l = 0; i + l < end; ++l) {
+        lanes[l] += map(i + l);
+    }
+    return join_lanes(lanes);
 }
 
 /// An array in device memory.

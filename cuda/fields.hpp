@@ -58,6 +58,8 @@ struct Constants {
     Real breach_radius = 0;    ///< [m]
     double p_outlet = 0;       ///< p_const [Pa]
 
+    static constexpr Real far_away = 1e6; ///< [m]
+
     /// The body that fills up lists: far away, without mass.
     ANEURYSM_HD Index null_body() const { return particles; }
     ANEURYSM_HD Index first_wall() const { return particles + 1; }
@@ -122,7 +124,10 @@ struct Fields {
     // bodies: particles, sorted; the null body; the wall's ghosts, by cell
     Row<Real>* body_position = nullptr; ///< w: mass [m, kg]
     Row<Real>* body_velocity = nullptr; ///< w: density of what is free, (26)'s pressure of ghosts
-    Index* is_mirror = nullptr;         ///< 1: a ghost with its neighbour's pressure
+    Real* body_x = nullptr; ///< the same places again, for the search; massless walls are far away
+    Real* body_y = nullptr;
+    Real* body_z = nullptr;
+    Index* is_mirror = nullptr; ///< 1: a ghost with its neighbour's pressure
 
     // sorted, [particles + 1]
     Index* key = nullptr;
@@ -130,6 +135,7 @@ struct Fields {
     Index* order = nullptr;            ///< id
     Index* start = nullptr;            ///< [2 * cells + 2] first body of each key
     const Index* wall_start = nullptr; ///< [cells + 1]
+    const Index* near_wall = nullptr;  ///< [cells] 1: a wall's ghost in this cell or one beside it
     const Row<Real>* wall_position =
         nullptr; ///< [walls] by cell; w: mass where the sac doesn't reach, else -1
     Lists free{};
@@ -142,6 +148,8 @@ struct Fields {
     Real* p = nullptr;                    ///< where (3) is evaluated [Pa]
     Real* p_old = nullptr;                ///< before the momentum [Pa]
     Real* alpha = nullptr;                ///< DFSPH factor
+    Real* source = nullptr;               ///< the density's part of (3) [kg/(m^3 s)]
+    Real* response = nullptr;             ///< pressure that an iteration answers a residual with [m^2/s]
     Real* rate = nullptr;                 ///< Drho/Dt
     Real* impact = nullptr;               ///< [N]; -1: doesn't touch the sac
     Real* impact_eos = nullptr;

@@ -34,6 +34,16 @@ ANEURYSM_HD bool in_breach(const Fields<Real>& f, const Vec3T<Real>& x)
            d.x * d.x + d.z * d.z < radius * radius;
 }
 
+/// Where a body is; one without mass is found by no search.
+template <class Real>
+ANEURYSM_HD void place(const Fields<Real>& f, Index body, const Vec3T<Real>& x, Real mass)
+{
+    f.body_position[body] = row(x, mass);
+    f.body_x[body] = mass > 0 ? x.x : f.c.far_away;
+    f.body_y[body] = x.y;
+    f.body_z[body] = x.z;
+}
+
 /// The wall's ghosts: volume fractions that follow the sac (see GhostLattice), none inside the breach.
 template <class Real>
 struct PlaceWalls {
@@ -50,7 +60,7 @@ struct PlaceWalls {
             mass = there && part > 0 ? f.c.mass * (part < 1 ? part : Real(1)) : 0;
         }
         const Index body = f.c.first_wall() + w;
-        f.body_position[body] = row(x, mass);
+        place(f, body, x, mass);
         f.body_velocity[body] = row(wall_velocity<Real>(), Real(0));
         f.is_mirror[body] = 1;
     }
@@ -70,13 +80,13 @@ struct SortBodies {
             const double v = f.scene->outlet_velocity[k - 1];
             w = static_cast<Real>(outlet_pressure(f.c.p_outlet, static_cast<double>(f.c.rho_0), v));
         }
-        f.body_position[s] = row(f.position[id].vector(), f.c.mass);
+        place(f, s, f.position[id].vector(), f.c.mass);
         f.body_velocity[s] = row(f.velocity[id].vector(), w);
         f.is_mirror[s] = k == 0 ? 1 : 0;
     }
 };
 
-/// Density (5), the DFSPH factor, and what ghosts add to (2) and to the pressure's acceleration.
+/// Density (5), the DFSPH factor, and what ghosts add to (2), to the pressure's acceleration and by (26).
 template <class Real>
 struct Densities {
     Fields<Real> f;
@@ -86,38 +96,44 @@ struct Densities {
         using Number = Lanes<Real>;
         Number rho;
         Number squares;
-        Number flux;
         Vec3T<Number> of_free;
-        Vec3T<Number> of_ghosts;
-        for_each_block(f.free, i, lane, [&](Index b, const Lanes<Index>& j) {
-            const Pairs<Real> pair = pairs(f, i, j);
+        for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
+            const Pairs<Real> pair = pairs(f, i, neighbors(f.free, b, lane));
             const Vec3T<Number> G = gradient(f, pair);
             rho += density(f, pair);
             of_free += G;
             squares += dot(G, G);
             keep(G, b, lane);
-        });
-        for_each_block(f.ghosts, i, lane, [&](Index, const Lanes<Index>& j) {
+        }
+        Number flux;
+        Vec3T<Number> of_ghosts;
+        Vec3T<Number> outlets;
+        const Number rho_0(f.c.rho_0);
+        for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
+            const Lanes<Index> j = neighbors(f.ghosts, b, lane);
             const Pairs<Real> pair = pairs(f, i, j);
             const Vec3T<Number> G = gradient(f, pair);
+            const RowLanes<Real> other = gather_rows(f.body_velocity, j); // w: the outlet's pressure
             rho += density(f, pair);
             of_ghosts += G;
-            flux += dot(G, gather_rows(f.body_velocity, j).vector());
-        });
+            flux += dot(G, other.vector());
+            outlets += outlet_pressure_force(rho_0, other.w, G);
+        }
+        const Real total = sum(rho, lane) + f.c.mass * first(f.c.kernel.value(Number(0)));
         const Vec3T<Real> ghosts = sum(of_ghosts, lane);
         const Real alpha = dfsph_factor(sum(of_free, lane) + ghosts, sum(squares, lane));
-        const Real own = f.c.mass * first(f.c.kernel.value(Number(0)));
-        const Real total = sum(rho, lane) + own;
         const Real ghost_flux = sum(flux, lane);
+        const Vec3T<Real> F_outlets = sum(outlets, lane);
         if (lane.is_first()) {
             f.body_velocity[i].w = total;
             f.alpha[i] = alpha;
             f.ghost_gradient[i] = row(ghosts, ghost_flux);
+            f.force[i] = row(F_outlets, Real(0));
         }
     }
 
 private:
-    ANEURYSM_HD void keep(const Vec3T<Lanes<Real>>& G, Index b, Lane lane) const
+    ANEURYSM_INLINE void keep(const Vec3T<Lanes<Real>>& G, Index b, Lane lane) const
     {
         if (f.gradient != nullptr) {
             Real* to = f.gradient + 3 * lane_count * b;
@@ -136,17 +152,10 @@ struct Forces {
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
         const Vec3T<Real> F_viscosity = viscosity_force(f, i, lane);
-        Vec3T<Lanes<Real>> outlets;
-        if (f.c.model == PressureModel::dfsph) {
-            const Lanes<Real> rho_0(f.c.rho_0);
-            for_each_block(f.ghosts, i, lane, [&](Index, const Lanes<Index>& j) {
-                const Lanes<Real> p = gather_rows(f.body_velocity, j).w;
-                outlets += outlet_pressure_force(rho_0, p, gradient(f, pairs(f, i, j)));
-            });
-        }
-        const Vec3T<Real> F_outlets = sum(outlets, lane);
         if (lane.is_first()) {
             const Real rho = f.body_velocity[i].w;
+            const bool outlets = f.c.model == PressureModel::dfsph; // else they take part in (6)
+            const Vec3T<Real> F_outlets = outlets ? f.force[i].vector() : Vec3T<Real>{};
             const Vec3T<Real> force = momentum_force(rho, f.c.g, F_viscosity, F_outlets);
             f.force[i] = row(F_viscosity, Real(0));
             f.solved_velocity[i] =
@@ -177,7 +186,7 @@ struct AccelerateByState {
         if (lane.is_first()) {
             const Real rho = f.body_velocity[i].w;
             const Vec3T<Real> a = acceleration(rho, F);
-            f.p[i] = equation_of_state(f.c.kappa, rho, f.c.rho_0);
+            f.p_old[i] = equation_of_state(f.c.kappa, rho, f.c.rho_0);
             f.acceleration[i] = row(a, Real(0));
             f.solved_velocity[i] = row(f.body_velocity[i].vector() + f.c.dt * a, Real(0));
         }

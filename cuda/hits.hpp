@@ -13,7 +13,7 @@ class Hits
 public:
     ANEURYSM_HD explicit Hits(Index* list) : list_(list) {}
 
-    ANEURYSM_HD void add(const Mask& m, const Lanes<Index>& value, Lane lane)
+    ANEURYSM_INLINE void add(const Mask& m, const Lanes<Index>& value, Lane lane)
     {
         if (count_ > limit - lane_count) {
             return;
@@ -29,7 +29,7 @@ public:
         }
     }
     /// Fills the last block up.
-    ANEURYSM_HD void pad(Index value, Lane lane)
+    ANEURYSM_INLINE void pad(Index value, Lane lane)
     {
 #ifdef __CUDACC__
         const Index k = count_ + lane.id;
@@ -55,7 +55,7 @@ private:
     Index* list_;
     Index count_ = 0;
 #ifndef __CUDACC__
-    // append() also writes one place behind the last, which in the list may belong to another thread.
+    // append() also writes behind the last, which in the list may belong to another thread.
     Index local_[write ? limit + lane_count : 1];
 #endif
 };

@@ -11,9 +11,9 @@ namespace aneurysm::device
 /// What one evaluation of (3) sums up over the free particles.
 struct SolveSums {
     double count = 0;
-    double residual = 0; ///< |residual| / rho_0 where the pressure can act [1/s]
+    double residual = 0; ///< |residual| where the pressure can act [kg/(m^3 s)]
     double residual_max = 0;
-    double divergence = 0; ///< |Drho/Dt| / rho_0 [1/s]
+    double divergence = 0; ///< |Drho/Dt| [kg/(m^3 s)]
     double divergence_max = 0;
     double restart = 0; ///< positive: the momentum points uphill
 
@@ -42,32 +42,32 @@ ANEURYSM_HD Real dfsph_factor(const Vec3T<Real>& sum, Real squares)
 /// Pressure acceleration in its momentum-conserving form; a ghost adds its neighbour's pressure once:
 ///
 ///     a_i = -sum_j m_j (p_i + p_j) / rho_0^2 grad W_ij                                        [m/s^2]
-template <class Real>
-ANEURYSM_HD Vec3T<Real> pressure_acceleration(const Fields<Real>& f, Index i, Lane lane)
+template <bool kept, class Real>
+ANEURYSM_INLINE Vec3T<Real> pressure_acceleration(const Fields<Real>& f, Index i, Lane lane)
 {
     const Real p_i = f.p[i];
     const Lanes<Real> own(p_i);
     Vec3T<Lanes<Real>> a;
-    for_each_block(f.free, i, lane, [&](Index b, const Lanes<Index>& j) {
-        a += (own + gather(f.p, j)) * gradient(f, i, b, j, lane);
-    });
+    for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.free, b, lane);
+        a += (own + gather(f.p, j)) * gradient<kept>(f, i, b, j, lane);
+    }
     const Vec3T<Real> total = sum(a, lane) + p_i * f.ghost_gradient[i].vector();
     return -1 / (f.c.rho_0 * f.c.rho_0) * total;
 }
 
-/// beta (rho_i - rho_0) / dt + Drho_i/Dt: what (3) leaves over, in kg/(m^3 s).
+/// beta (rho_i - rho_0) / dt + Drho_i/Dt: what (3) leaves over [kg/(m^3 s)].
 template <class Real>
-ANEURYSM_HD Real residual(const Fields<Real>& f, Index i)
+ANEURYSM_INLINE Real residual(const Fields<Real>& f, Index i)
 {
-    const Real beta = static_cast<Real>(f.scene->density_correction);
-    return beta * (f.body_velocity[i].w - f.c.rho_0) / f.c.dt + f.rate[i];
+    return f.source[i] + f.rate[i];
 }
 
 /// The pressure of particle i after a step along its residual, p >= 0.
 template <class Real>
-ANEURYSM_HD Real projected(const Fields<Real>& f, Index i)
+ANEURYSM_INLINE Real projected(const Fields<Real>& f, Index i)
 {
-    const Real p = f.p[i] + f.c.omega * f.c.rho_0 * f.c.rho_0 / f.c.dt * f.alpha[i] * residual(f, i);
+    const Real p = f.p[i] + f.response[i] * residual(f, i);
     return p > 0 ? p : 0;
 }
 
@@ -120,13 +120,14 @@ private:
     {
         Lanes<Real> total;
         Lanes<Real> count;
-        for_each_block(f.free, i, lane, [&](Index, const Lanes<Index>& j) {
+        for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
+            const Lanes<Index> j = neighbors(f.free, b, lane);
             const Lanes<Real> p = gather(f.p, j);
             const Mask known = p >= Lanes<Real>(0);
             const Mask real = j != Lanes<Index>(f.c.null_body());
             total += select(known & real, p, Lanes<Real>(0));
             count += select(known & real, Lanes<Real>(1), Lanes<Real>(0));
-        });
+        }
         const Real n = sum(count, lane);
         const Real t = sum(total, lane);
         return n > 0 ? t / n : 0;
@@ -141,21 +142,29 @@ struct SortPressure {
     ANEURYSM_HD void operator()(Index i) const { f.p[i] = f.pressure[f.order[i]]; }
 };
 
+/// What stays the same through a solve: the density's part of the residual, and how much pressure an
+/// iteration answers it with.
 template <class Real>
-struct FirstPressure {
+struct PrepareSolve {
     Fields<Real> f;
 
-    ANEURYSM_HD void operator()(Index i) const { f.p[i] = f.p_old[i]; }
+    ANEURYSM_HD void operator()(Index i) const
+    {
+        const Real beta = static_cast<Real>(f.scene->density_correction);
+        f.source[i] = beta * (f.body_velocity[i].w - f.c.rho_0) / f.c.dt;
+        f.response[i] = f.c.omega * f.c.rho_0 * f.c.rho_0 / f.c.dt * f.alpha[i];
+        f.p[i] = f.p_old[i];
+    }
 };
 
 /// a(p) and v = v* + dt a.
-template <class Real>
+template <class Real, bool kept>
 struct Accelerate {
     Fields<Real> f;
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
-        const Vec3T<Real> a = pressure_acceleration(f, i, lane);
+        const Vec3T<Real> a = pressure_acceleration<kept>(f, i, lane);
         if (lane.is_first()) {
             f.acceleration[i] = row(a, Real(0));
             f.solved_velocity[i] = row(f.body_velocity[i].vector() + f.c.dt * a, Real(0));
@@ -163,13 +172,13 @@ struct Accelerate {
     }
 };
 
-template <class Real>
+template <class Real, bool kept>
 struct Rates {
     Fields<Real> f;
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
-        const Real rate = density_rate(f, f.solved_velocity, i, lane);
+        const Real rate = density_rate<kept>(f, f.solved_velocity, i, lane);
         if (lane.is_first()) {
             f.rate[i] = rate;
         }
@@ -182,17 +191,16 @@ struct Residuals {
 
     ANEURYSM_HD SolveSums operator()(Index i) const
     {
-        const double r = static_cast<double>(residual(f, i));
-        const double rho_0 = static_cast<double>(f.c.rho_0);
+        const Real r = residual(f, i);
+        const Real rate = f.rate[i];
         const bool acts = f.alpha[i] > 0 && (f.p[i] > 0 || r > 0);
-        const double absolute = acts ? (r < 0 ? -r : r) / rho_0 : 0;
-        const double rate = static_cast<double>(f.rate[i]);
-        const double divergence = (rate < 0 ? -rate : rate) / rho_0;
+        const auto absolute = static_cast<double>(acts ? (r < 0 ? -r : r) : Real(0));
+        const auto divergence = static_cast<double>(rate < 0 ? -rate : rate);
         const Real p = projected(f, i);
-        const double uphill = f.alpha[i] > 0
-                                  ? static_cast<double>(f.p[i] - p) * static_cast<double>(p - f.p_old[i]) /
-                                        static_cast<double>(f.alpha[i])
-                                  : 0;
+        // weighed by 1/alpha, up to a constant
+        const auto momentum = static_cast<double>(p - f.p_old[i]);
+        const auto step = static_cast<double>(f.p[i] - p);
+        const double uphill = f.alpha[i] > 0 ? step * momentum / static_cast<double>(f.alpha[i]) : 0;
         return {1, absolute, absolute, divergence, divergence, uphill};
     }
 };
@@ -217,17 +225,18 @@ struct BeginSolve {
 struct Decide {
     Scene* scene;
     const SolveSums* sums;
+    double rho_0;
     double tolerance;
     double max_tolerance;
 
     ANEURYSM_HD void operator()() const
     {
         Scene& s = *scene;
-        const double count = sums->count > 0 ? sums->count : 1;
-        s.record.residual_mean = sums->residual / count;
-        s.record.residual_max = sums->residual_max;
-        s.record.divergence_mean = sums->divergence / count;
-        s.record.divergence_max = sums->divergence_max;
+        const double mass = rho_0 * (sums->count > 0 ? sums->count : 1);
+        s.record.residual_mean = sums->residual / mass;
+        s.record.residual_max = sums->residual_max / rho_0;
+        s.record.divergence_mean = sums->divergence / mass;
+        s.record.divergence_max = sums->divergence_max / rho_0;
         const bool met = s.record.residual_mean <= tolerance && s.record.residual_max <= max_tolerance;
         s.solving = !met && s.solve_iterations < s.max_iterations ? 1 : 0;
         if (s.solving == 0) {

@@ -30,7 +30,7 @@ public:
     ANEURYSM_HD Real support() const { return support_; } ///< 2 h [m]
 
     /// W(r) [1/m^3]
-    ANEURYSM_HD Number value(const Number& r) const
+    ANEURYSM_INLINE Number value(const Number& r) const
     {
         const Number q = r * Number(per_h_);
         const Number a = select(q < Number(2), Number(2) - q, Number(0));
@@ -45,7 +45,7 @@ public:
     }
 
     /// W'(r) / r, so that grad W = this times (r_i - r_j) [1/m^5]; never positive
-    ANEURYSM_HD Number gradient_factor(const Number& r) const
+    ANEURYSM_INLINE Number gradient_factor(const Number& r) const
     {
         const Number q = r * Number(per_h_);
         const Number a = select(q < Number(2), Number(2) - q, Number(0));
@@ -59,7 +59,7 @@ public:
     }
 
     /// Laplacian of the viscosity kernel, 45 / (pi H^6) (H - r) for r < H = 2 h [1/m^5]
-    ANEURYSM_HD Number viscosity_laplacian(const Number& r) const
+    ANEURYSM_INLINE Number viscosity_laplacian(const Number& r) const
     {
         return select(r < Number(support_), Number(viscosity_norm_) * (Number(support_) - r), Number(0));
     }

@@ -34,11 +34,11 @@ struct alignas(4 * sizeof(Real)) Row {
     Real z;
     Real w;
 
-    ANEURYSM_HD Vec3T<Real> vector() const { return {x, y, z}; }
+    ANEURYSM_INLINE Vec3T<Real> vector() const { return {x, y, z}; }
 };
 
 template <class Real>
-ANEURYSM_HD Row<Real> row(const Vec3T<Real>& v, Real w)
+ANEURYSM_INLINE Row<Real> row(const Vec3T<Real>& v, Real w)
 {
     return {v.x, v.y, v.z, w};
 }
@@ -62,22 +62,22 @@ struct RowLanes {
     Lanes<Real> z;
     Lanes<Real> w;
 
-    ANEURYSM_HD Vec3T<Lanes<Real>> vector() const { return {x, y, z}; }
+    ANEURYSM_INLINE Vec3T<Lanes<Real>> vector() const { return {x, y, z}; }
 };
 
 template <class T>
-ANEURYSM_HD Lanes<T>& operator+=(Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Lanes<T>& operator+=(Lanes<T>& a, const Lanes<T>& b)
 {
     return a = a + b;
 }
 template <class T>
-ANEURYSM_HD Lanes<T>& operator-=(Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Lanes<T>& operator-=(Lanes<T>& a, const Lanes<T>& b)
 {
     return a = a - b;
 }
 
 template <class Real>
-ANEURYSM_HD Vec3T<Real> sum(const Vec3T<Lanes<Real>>& a, Lane lane)
+ANEURYSM_INLINE Vec3T<Real> sum(const Vec3T<Lanes<Real>>& a, Lane lane)
 {
     return {sum(a.x, lane), sum(a.y, lane), sum(a.z, lane)};
 }

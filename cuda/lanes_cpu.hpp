@@ -61,13 +61,8 @@ template <class T>
 struct Lanes {
     Eight<T> v;
 
-    Lanes(T value = 0)
-    {
-        for (int l = 0; l < lane_count; ++l) {
-            v[l] = value;
-        }
-    }
-    Lanes(const Eight<T>& value) : v(value) {}
+    ANEURYSM_INLINE Lanes(T x = 0) : v{x, x, x, x, x, x, x, x} {}
+    ANEURYSM_INLINE Lanes(const Eight<T>& value) : v(value) {}
 };
 
 /// -1 in the lanes that it holds, 0 in the others.
@@ -77,7 +72,7 @@ struct Mask {
 
 /// Comparisons of 64-bit numbers give 64-bit masks.
 template <class Vector>
-Mask narrow(const Vector& m)
+ANEURYSM_INLINE Mask narrow(const Vector& m)
 {
 #ifndef ANEURYSM_NO_SIMD
     if constexpr (sizeof(m[0]) != sizeof(Index)) {
@@ -90,47 +85,47 @@ Mask narrow(const Vector& m)
 }
 
 template <class T>
-Lanes<T> operator+(const Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Lanes<T> operator+(const Lanes<T>& a, const Lanes<T>& b)
 {
     return a.v + b.v;
 }
 template <class T>
-Lanes<T> operator-(const Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Lanes<T> operator-(const Lanes<T>& a, const Lanes<T>& b)
 {
     return a.v - b.v;
 }
 template <class T>
-Lanes<T> operator*(const Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Lanes<T> operator*(const Lanes<T>& a, const Lanes<T>& b)
 {
     return a.v * b.v;
 }
 template <class T>
-Lanes<T> operator/(const Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Lanes<T> operator/(const Lanes<T>& a, const Lanes<T>& b)
 {
     return a.v / b.v;
 }
 template <class T>
-Mask operator<(const Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Mask operator<(const Lanes<T>& a, const Lanes<T>& b)
 {
     return narrow(a.v < b.v);
 }
 template <class T>
-Mask operator>=(const Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Mask operator>=(const Lanes<T>& a, const Lanes<T>& b)
 {
     return narrow(a.v >= b.v);
 }
 template <class T>
-Mask operator!=(const Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Mask operator!=(const Lanes<T>& a, const Lanes<T>& b)
 {
     return narrow(a.v != b.v);
 }
-inline Mask operator&(const Mask& a, const Mask& b)
+ANEURYSM_INLINE Mask operator&(const Mask& a, const Mask& b)
 {
     return {a.v & b.v};
 }
 
 template <class T>
-Lanes<T> select(const Mask& m, const Lanes<T>& a, const Lanes<T>& b)
+ANEURYSM_INLINE Lanes<T> select(const Mask& m, const Lanes<T>& a, const Lanes<T>& b)
 {
 #ifndef ANEURYSM_NO_SIMD
     if constexpr (sizeof(T) == sizeof(Index)) {
@@ -148,7 +143,7 @@ Lanes<T> select(const Mask& m, const Lanes<T>& a, const Lanes<T>& b)
 }
 
 template <class T>
-Lanes<T> sqrt(const Lanes<T>& a)
+ANEURYSM_INLINE Lanes<T> sqrt(const Lanes<T>& a)
 {
 #if defined(__AVX__) && !defined(ANEURYSM_NO_SIMD)
     if constexpr (sizeof(T) == sizeof(float)) {
@@ -162,25 +157,25 @@ Lanes<T> sqrt(const Lanes<T>& a)
     return r;
 }
 
-inline Lanes<Index> numbers(Lane)
+ANEURYSM_INLINE Lanes<Index> numbers(Lane)
 {
     return Eight<Index>{0, 1, 2, 3, 4, 5, 6, 7};
 }
 
 template <class T>
-Lanes<T> load(const T* p, Lane)
+ANEURYSM_INLINE Lanes<T> load(const T* p, Lane)
 {
     Eight<T> r;
     __builtin_memcpy(&r, p, sizeof r);
     return r;
 }
 template <class T>
-void store(T* p, const Lanes<T>& a, Lane)
+ANEURYSM_INLINE void store(T* p, const Lanes<T>& a, Lane)
 {
     __builtin_memcpy(p, &a.v, sizeof a.v);
 }
 template <class T>
-Lanes<T> gather(const T* p, const Lanes<Index>& i)
+ANEURYSM_INLINE Lanes<T> gather(const T* p, const Lanes<Index>& i)
 {
     const auto& k = i.v;
     return Eight<T>{p[k[0]], p[k[1]], p[k[2]], p[k[3]], p[k[4]], p[k[5]], p[k[6]], p[k[7]]};
@@ -190,8 +185,9 @@ Lanes<T> gather(const T* p, const Lanes<Index>& i)
 
 /// Rows 0 to 7, transposed: each is one load, which costs a quarter of gathering its four numbers.
 template <class Real>
-RowLanes<Real> transposed(const Row<Real>* r0, const Row<Real>* r1, const Row<Real>* r2, const Row<Real>* r3,
-                          const Row<Real>* r4, const Row<Real>* r5, const Row<Real>* r6, const Row<Real>* r7)
+ANEURYSM_INLINE RowLanes<Real> transposed(const Row<Real>* r0, const Row<Real>* r1, const Row<Real>* r2,
+                                          const Row<Real>* r3, const Row<Real>* r4, const Row<Real>* r5,
+                                          const Row<Real>* r6, const Row<Real>* r7)
 {
     const auto both = [](const Row<Real>* a, const Row<Real>* b) {
         typename VectorOf<Real, 4>::type low;
@@ -217,7 +213,7 @@ RowLanes<Real> transposed(const Row<Real>* r0, const Row<Real>* r1, const Row<Re
 #else
 
 template <class Real, class... Rows>
-RowLanes<Real> transposed(const Row<Real>* first, const Rows*... others)
+ANEURYSM_INLINE RowLanes<Real> transposed(const Row<Real>* first, const Rows*... others)
 {
     const Row<Real>* const rows[]{first, others...};
     RowLanes<Real> r;
@@ -233,43 +229,72 @@ RowLanes<Real> transposed(const Row<Real>* first, const Rows*... others)
 #endif
 
 template <class Real>
-RowLanes<Real> gather_rows(const Row<Real>* p, const Lanes<Index>& i)
+ANEURYSM_INLINE RowLanes<Real> gather_rows(const Row<Real>* p, const Lanes<Index>& i)
 {
     const auto& k = i.v;
     return transposed(p + k[0], p + k[1], p + k[2], p + k[3], p + k[4], p + k[5], p + k[6], p + k[7]);
 }
 template <class Real>
-RowLanes<Real> load_rows(const Row<Real>* p, Lane)
+ANEURYSM_INLINE RowLanes<Real> load_rows(const Row<Real>* p, Lane)
 {
     return transposed(p, p + 1, p + 2, p + 3, p + 4, p + 5, p + 6, p + 7);
 }
 
 /// That of lane 0, where all are equal.
 template <class T>
-T first(const Lanes<T>& a)
+ANEURYSM_INLINE T first(const Lanes<T>& a)
 {
     return a.v[0];
 }
 template <class T>
-T sum(const Lanes<T>& a, Lane)
+ANEURYSM_INLINE T sum(const Lanes<T>& a, Lane)
 {
+#ifndef ANEURYSM_NO_SIMD
+    const auto four =
+        __builtin_shufflevector(a.v, a.v, 0, 1, 2, 3) + __builtin_shufflevector(a.v, a.v, 4, 5, 6, 7);
+    const auto two = __builtin_shufflevector(four, four, 0, 1) + __builtin_shufflevector(four, four, 2, 3);
+    return two[0] + two[1];
+#else
     const auto& v = a.v;
     return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+#endif
 }
 
-/// Without a branch: each value is written, and overwritten unless its lane is held. The list needs a place
-/// behind its last for that.
-inline Index append(Index* list, Index count, const Mask& m, const Lanes<Index>& value, Lane)
+/// One bit for each lane.
+ANEURYSM_INLINE unsigned bits(const Mask& m)
 {
+#if defined(__AVX__) && !defined(ANEURYSM_NO_SIMD)
+    return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(m.v)));
+#else
+    unsigned all = 0;
+    for (int l = 0; l < lane_count; ++l) {
+        all |= m.v[l] != 0 ? 1U << l : 0;
+    }
+    return all;
+#endif
+}
+
+/// Without a branch: each value is written, and overwritten unless its lane is held. The list needs eight
+/// places behind its last for that.
+ANEURYSM_INLINE Index append(Index* list, Index count, const Mask& m, const Lanes<Index>& value, Lane)
+{
+#if defined(__AVX512VL__) && !defined(ANEURYSM_NO_SIMD)
+    const auto held = static_cast<__mmask8>(bits(m));
+    const __m256i packed = _mm256_maskz_compress_epi32(held, reinterpret_cast<__m256i>(value.v));
+    _mm256_storeu_si256(reinterpret_cast<__m256i_u*>(list + count),
+                        packed); // NOLINT: what the instruction takes
+    return count + __builtin_popcount(held);
+#else
     for (int l = 0; l < lane_count; ++l) {
         list[count] = value.v[l];
         count -= m.v[l];
     }
     return count;
+#endif
 }
-inline Index count(const Mask& m, Lane lane)
+ANEURYSM_INLINE Index count(const Mask& m, Lane)
 {
-    return -sum(Lanes<Index>(m.v), lane);
+    return __builtin_popcount(bits(m));
 }
 
 } // namespace aneurysm::device

@@ -79,11 +79,12 @@ struct CheckLists {
 struct RecordDivergence {
     Scene* scene;
     const SolveSums* sums;
+    double rho_0;
 
     ANEURYSM_HD void operator()() const
     {
-        scene->record.divergence_mean = sums->divergence / (sums->count > 0 ? sums->count : 1);
-        scene->record.divergence_max = sums->divergence_max;
+        scene->record.divergence_mean = sums->divergence / (rho_0 * (sums->count > 0 ? sums->count : 1));
+        scene->record.divergence_max = sums->divergence_max / rho_0;
     }
 };
 
@@ -259,10 +260,13 @@ private:
     void solve_pressure(const F& f)
     {
         if (scenario_.pressure.model == PressureModel::eos) {
+            executor_.once(BeginSolve{arrays_.scene(), 0, 0});
             executor_.for_each_group(free_of(f), AccelerateByState<Real>{f});
-            executor_.for_each_group(free_of(f), Rates<Real>{f});
+            executor_.for_each(free_of(f), PrepareSolve<Real>{f});
+            executor_.for_each_group(free_of(f), Rates<Real, false>{f});
             reduce(free_of(f), Residuals<Real>{f}, sums_.solve);
-            executor_.once(RecordDivergence{arrays_.scene(), sums_.solve.get()});
+            executor_.once(
+                RecordDivergence{arrays_.scene(), sums_.solve.get(), scenario_.fluid.density_kg_m3});
         } else {
             solve_incompressibility(f, scenario_.pressure.density_correction,
                                     scenario_.pressure.max_iterations, false);
@@ -279,7 +283,7 @@ private:
         executor_.for_each(free_of(f), SortPressure<Real>{f});
         reduce(free_of(f), InverseFactor<Real>{f}, sums_.largest_inverse);
         executor_.for_each_group(free_of(f), StartSolve<Real>{f, sums_.largest_inverse.get(), from_zero});
-        executor_.for_each(free_of(f), FirstPressure<Real>{f});
+        executor_.for_each(free_of(f), PrepareSolve<Real>{f});
         evaluate(f);
         executor_.repeat_while(&scene->solving, [&] {
             executor_.for_each(free_of(f), Iterate<Real>{f});
@@ -288,11 +292,16 @@ private:
     }
     void evaluate(const F& f)
     {
-        executor_.for_each_group(free_of(f), Accelerate<Real>{f});
-        executor_.for_each_group(free_of(f), Rates<Real>{f});
+        if (f.gradient != nullptr) {
+            executor_.for_each_group(free_of(f), Accelerate<Real, true>{f});
+            executor_.for_each_group(free_of(f), Rates<Real, true>{f});
+        } else {
+            executor_.for_each_group(free_of(f), Accelerate<Real, false>{f});
+            executor_.for_each_group(free_of(f), Rates<Real, false>{f});
+        }
         reduce(free_of(f), Residuals<Real>{f}, sums_.solve);
-        executor_.once(Decide{arrays_.scene(), sums_.solve.get(), scenario_.pressure.tolerance_per_s,
-                              scenario_.pressure.max_tolerance_per_s});
+        executor_.once(Decide{arrays_.scene(), sums_.solve.get(), scenario_.fluid.density_kg_m3,
+                              scenario_.pressure.tolerance_per_s, scenario_.pressure.max_tolerance_per_s});
     }
 
     void record(const F& f)

@@ -47,8 +47,8 @@ struct Range {
 
 /// The nine rows of three cells around a place.
 template <class Real, class Visit>
-ANEURYSM_HD void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, const Index* start,
-                              const Visit& visit)
+ANEURYSM_INLINE void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, const Index* start,
+                                  const Visit& visit)
 {
     const Index x = grid.x_cell(r);
     const Index y = grid.y_cell(r);
@@ -76,30 +76,35 @@ struct Search {
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
+        const Vec3T<Real> r = f.body_position[i].vector();
         const Index cells = f.c.grid.cells();
         Hits<fill> hits(fill ? f.free.body + lane_count * f.free.begin[i] : nullptr);
-        collect(i, f.start, 0, hits, lane);
+        collect(i, r, f.start, 0, hits, lane);
         finish(f.free, i, hits, lane);
 
         Hits<fill> ghosts(fill ? f.ghosts.body + lane_count * f.ghosts.begin[i] : nullptr);
-        collect(i, f.start + cells, 0, ghosts, lane);
-        collect(i, f.wall_start, f.c.first_wall(), ghosts, lane);
+        collect(i, r, f.start + cells, 0, ghosts, lane);
+        if (f.near_wall[f.c.grid.cell(r)] != 0) {
+            collect(i, r, f.wall_start, f.c.first_wall(), ghosts, lane);
+        }
         finish(f.ghosts, i, ghosts, lane);
     }
 
 private:
-    ANEURYSM_HD void collect(Index i, const Index* start, Index first, Hits<fill>& hits, Lane lane) const
+    ANEURYSM_HD void collect(Index i, const Vec3T<Real>& r, const Index* start, Index first, Hits<fill>& hits,
+                             Lane lane) const
     {
-        const Row<Real> own = f.body_position[i];
-        const Vec3T<Lanes<Real>> r{own.x, own.y, own.z};
-        const Lanes<Real> H2(f.c.kernel.support() * f.c.kernel.support());
-        for_each_row(f.c.grid, own.vector(), start, [&](Range range) {
+        using Number = Lanes<Real>;
+        const Number H2(f.c.kernel.support() * f.c.kernel.support());
+        const Vec3T<Number> own{Number(r.x), Number(r.y), Number(r.z)};
+        const Lanes<Index> self(i);
+        for_each_row(f.c.grid, r, start, [&](Range range) {
+            const Lanes<Index> end(first + range.end);
             for (Index k = first + range.begin; k < first + range.end; k += lane_count) {
-                const RowLanes<Real> other = load_rows(f.body_position + k, lane);
-                const Vec3T<Lanes<Real>> x = r - other.vector();
+                const Vec3T<Number> x{own.x - load(f.body_x + k, lane), own.y - load(f.body_y + k, lane),
+                                      own.z - load(f.body_z + k, lane)};
                 const Lanes<Index> j = Lanes<Index>(k) + numbers(lane);
-                const Mask is_other = (j < Lanes<Index>(first + range.end)) & (j != Lanes<Index>(i));
-                hits.add((dot(x, x) < H2) & is_other & (Lanes<Real>(0) < other.w), j, lane);
+                hits.add((dot(x, x) < H2) & (j < end) & (j != self), j, lane);
             }
         });
     }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cuda/executor_gpu.hpp"
+#include "cuda/model.hpp"
+
+namespace aneurysm::device
+{
+
+std::unique_ptr<Simulation> make_gpu_simulation(const Scenario& scenario, Precision precision,
+                                                const Tuning& tuning, std::optional<SimulationState> state)
+{
+    GpuExecutor executor(tuning.block_size);
+    if (precision == Precision::single_) {
+        return std::make_unique<Model<GpuExecutor, float>>(std::move(executor), scenario, tuning, state);
+    }
+    return std::make_unique<Model<GpuExecutor, double>>(std::move(executor), scenario, tuning, state);
+}
+
+} // namespace aneurysm::device
