@@ -2,8 +2,9 @@
 #pragma once
 
 #include "cuda/executor.hpp"
+#include "cuda/team.hpp"
 
-#include <omp.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <functional>
 #include <map>
+#include <memory>
 #include <new>
 #include <string>
 #include <utility>
@@ -19,20 +21,20 @@
 namespace aneurysm::device
 {
 
-/// Runs device code on the host's cores by OpenMP. The number of threads doesn't change a bit of any result:
-/// nothing is shared between two calls of a function, and sums have their own fixed shape.
+/// Runs device code on the host's cores. The number of threads doesn't change a bit of any result: nothing is
+/// shared between two calls of a function, and sums have their own fixed shape.
 class CpuExecutor
 {
 public:
-    /// `threads` 0: as many as the machine has cores.
-    explicit CpuExecutor(int threads) : threads_(threads > 0 ? threads : omp_get_num_procs()) {}
-
-    int threads() const { return threads_; }
-    void use_threads(int threads) { threads_ = threads; }
+    /// `threads` 0: as many as the process may use cores.
+    explicit CpuExecutor(int threads)
+        : team_(std::make_unique<Team>(threads > 0 ? threads : available_cores()))
+    {
+    }
 
     std::string device() const
     {
-        return std::to_string(threads_) + (threads_ == 1 ? " CPU core" : " CPU cores");
+        return std::to_string(team_->threads()) + (team_->threads() == 1 ? " CPU thread" : " CPU threads");
     }
     std::size_t bytes() const { return bytes_; } ///< allocated
 
@@ -68,21 +70,13 @@ public:
     template <class F>
     void for_each(Extent extent, const F& f) const
     {
-        const Index n = extent.size();
-#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= worth_a_team)
-        for (Index i = 0; i < n; ++i) {
-            f(i);
-        }
+        share(extent.size(), elements_a_chunk, f);
     }
     /// f(i, lane) for each i and lane.
     template <class F>
     void for_each_group(Extent extent, const F& f) const
     {
-        const Index n = extent.size();
-#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= worth_a_team)
-        for (Index i = 0; i < n; ++i) {
-            f(i, Lane{});
-        }
+        share(extent.size(), groups_a_chunk, [&f](Index i) { f(i, Lane{}); });
     }
     template <class F>
     void once(const F& f) const
@@ -96,10 +90,7 @@ public:
     {
         const Index n = extent.size();
         Index parts = chunks(n);
-#pragma omp parallel for schedule(static) num_threads(threads_) if (n >= worth_a_team)
-        for (Index c = 0; c < parts; ++c) {
-            scratch[c] = reduce_chunk<Value>(map, c, n);
-        }
+        share(parts, chunks(elements_a_chunk), [&](Index c) { scratch[c] = reduce_chunk<Value>(map, c, n); });
         while (parts > 1) {
             const Index count = parts;
             parts = chunks(count);
@@ -159,16 +150,10 @@ public:
     static void forget_recording() {}
 
     /// Room for sorting n keys below `end`.
-    void reserve_sort(Index, Index end)
-    {
-        starts_.resize(static_cast<std::size_t>(end) + 1);
-    }
+    void reserve_sort(Index, Index end) { starts_.resize(static_cast<std::size_t>(end) + 1); }
 
     /// Whether gradients are kept rather than computed in every pass: reading them is cheaper here.
-    static bool keeps_gradients(Index)
-    {
-        return true;
-    }
+    static bool keeps_gradients(Index) { return true; }
 
     /// Ends the pass of this name; its time runs from the last mark.
     void mark(const char* name)
@@ -187,9 +172,31 @@ public:
 
 private:
     static constexpr std::align_val_t alignment{64};
-    static constexpr Index worth_a_team = 256; ///< fewer are done before a team has started
+    // Big enough that taking a chunk costs nothing, small enough that nobody waits long for the last one.
+    static constexpr Index elements_a_chunk = 1024;
+    static constexpr Index groups_a_chunk = 128;
 
-    int threads_;
+    static int available_cores()
+    {
+        cpu_set_t cores;
+        CPU_ZERO(&cores);
+        const bool known = sched_getaffinity(0, sizeof cores, &cores) == 0;
+        return known ? std::max(CPU_COUNT(&cores), 1) : 1;
+    }
+
+    /// f(i) for each i below n, `size` of them in a chunk.
+    template <class F>
+    void share(Index n, Index size, const F& f) const
+    {
+        team_->run((n + size - 1) / size, [&](Index c) {
+            const Index end = std::min(n, (c + 1) * size);
+            for (Index i = c * size; i < end; ++i) {
+                f(i);
+            }
+        });
+    }
+
+    std::unique_ptr<Team> team_;
     std::size_t bytes_ = 0;
     std::vector<Index> starts_; ///< of each key's places
     std::map<std::string, double, std::less<>> seconds_;
