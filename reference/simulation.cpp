@@ -76,7 +76,7 @@ FrameRecord Simulation::advance()
 
 FrameRecord Simulation::advance(std::span<const double> solved_pressure, FlowObserver& observer)
 {
-    if (scenario_.pressure.model == PressureModel::eos) {
+    if (scenario_.pressure.model == PressureModel::eos || solved_pressure.empty()) {
         return advance({}, &observer);
     }
     const std::size_t needed = static_cast<std::size_t>(scenario_.time.substeps) * state_.particles.size();

@@ -31,8 +31,8 @@ public:
     /// \throws SimulationError that names frame and particle; state() is then still that of the last good
     /// frame
     FrameRecord advance();
-    /// The same, observed and without a solve of its own: `solved_pressure`, by flow step and particle [Pa],
-    /// is taken as the solution of (3). Model eos has none and ignores it.
+    /// The same, observed, and unless `solved_pressure` is empty without a solve of its own: by flow step and
+    /// particle [Pa], it is taken as the solution of (3). Model eos has none and ignores it.
     /// \throws Error when it has another size than solved_pressure()
     FrameRecord advance(std::span<const double> solved_pressure, FlowObserver& observer);
 

@@ -3,6 +3,9 @@
 
 #include "common/error.hpp"
 #include "output/file.hpp"
+#include "verification/bits.hpp"
+#include "verification/free_run.hpp"
+#include "verification/hash_file.hpp"
 #include "verification/inexact.hpp"
 #include "verification/interrupt.hpp"
 #include "verification/lockstep.hpp"
@@ -10,6 +13,8 @@
 #include "verification/report.hpp"
 
 #include <iostream>
+#include <memory>
+#include <optional>
 
 namespace aneurysm::verification
 {
@@ -19,28 +24,157 @@ namespace
 constexpr int failed = 3;
 constexpr int interrupted = 130;
 
+void require(bool good, const std::string& option, const std::string& what, const std::string& allowed)
+{
+    if (!good) {
+        throw InputError(option, what, allowed);
+    }
+}
+
+/// Found out before hours of work.
+void require_folder(const std::string& option, const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.parent_path();
+    require(folder.empty() || std::filesystem::is_directory(folder), option,
+            "no such directory (" + folder.string() + ")", "needed: a file in one that exists");
+}
+
 void check(const CompareOptions& options)
 {
-    if (options.mode != "lockstep") {
-        throw InputError("--mode", "unknown (" + options.mode + ")", "allowed: lockstep");
-    }
-    if (options.frames < 0) {
-        throw InputError("--frames", "out of range (" + std::to_string(options.frames) + ")",
-                         "allowed: at least 1");
-    }
-    if (options.from < 0) {
-        throw InputError("--from", "out of range (" + std::to_string(options.from) + ")",
-                         "allowed: at least 0");
-    }
+    const std::string& mode = options.mode;
+    require(mode == "lockstep" || mode == "free" || mode == "bits", "--mode", "unknown (" + mode + ")",
+            "allowed: lockstep, free, bits");
+    require(options.frames >= 0, "--frames", "out of range (" + std::to_string(options.frames) + ")",
+            "allowed: at least 1");
+    require(options.from >= 0, "--from", "out of range (" + std::to_string(options.from) + ")",
+            "allowed: at least 0");
+    require(options.ensemble >= 3, "--ensemble", "out of range (" + std::to_string(options.ensemble) + ")",
+            "allowed: at least 3");
+    require(options.record.empty() || mode == "bits", "--record", "mode " + mode + " has no hashes",
+            "needed: --mode bits");
+    require(options.record.empty() || options.from == 0, "--record", "hashes are recorded from frame 1 on",
+            "needed: no --from");
     unit_roundoff(options.candidate.precision);
-    // Found out before hours of work.
-    if (!options.report.empty()) {
-        const std::filesystem::path folder = options.report.parent_path();
-        if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-            throw InputError("--report", "no such directory (" + folder.string() + ")",
-                             "needed: a file in one that exists");
+    require_folder("--report", options.report);
+    require_folder("--record", options.record);
+}
+
+/// One comparison from the command line to its result.
+class Comparison
+{
+public:
+    explicit Comparison(const CompareOptions& options)
+        : options_(options), scenario_(read_scenario(options.scenario)), hash_(scenario_hash(scenario_)),
+          frames_(options.frames > 0 ? options.frames : scenario_.time.frames - options.from)
+    {
+        require(frames_ >= 1, "--from",
+                "the scenario has no frame after it (" + std::to_string(options.from) + ")",
+                "allowed: below " + std::to_string(scenario_.time.frames) + ", or --frames");
+        if (options.mode == "bits") {
+            find_oracles();
+        }
+        candidate_ = make_backend(options.candidate, scenario_, std::nullopt);
+    }
+
+    ComparisonResult run();
+    ComparisonTitle title() const
+    {
+        return {options_.mode, scenario_.name, hash_, options_.candidate, candidate_->device()};
+    }
+    /// There was nothing to compare with, only something to record.
+    bool only_records() const { return options_.mode == "bits" && !twin_ && !recorded_; }
+
+private:
+    void find_oracles();
+    bool advance_to_start(const AfterFrame& after_frame);
+    ComparisonResult bits(const AfterFrame& after_frame);
+
+    const CompareOptions& options_;
+    Scenario scenario_;
+    std::string hash_;
+    std::int64_t frames_;
+    std::unique_ptr<Backend> candidate_;
+    std::unique_ptr<Backend> twin_;
+    std::optional<RecordedHashes> recorded_;
+};
+
+/// The same source on one thread, unless that is the candidate itself, and the file of an earlier run.
+void Comparison::find_oracles()
+{
+    const BackendChoice& candidate = options_.candidate;
+    const bool is_twin = candidate.name == "cpu" && candidate.threads == 1;
+    if (candidate.name != "reference" && !is_twin) {
+        twin_ = make_backend({"cpu", candidate.precision, 1, 0}, scenario_, std::nullopt);
+    }
+    const std::filesystem::path file = hash_file(options_.scenario, scenario_, candidate.precision);
+    // The reference's bits are its own.
+    if (candidate.name != "reference" && options_.record.empty() && std::filesystem::exists(file)) {
+        recorded_ = read_hashes(file, hash_, candidate.precision);
+    }
+    if (candidate.name == "reference" && options_.record.empty()) {
+        const std::filesystem::path own = hash_file(options_.scenario, scenario_, "reference");
+        if (std::filesystem::exists(own)) {
+            recorded_ = read_hashes(own, hash_, candidate.precision);
         }
     }
+    require(!only_records() || !options_.record.empty(), "--mode bits", "there is nothing to compare with",
+            "needed: another candidate, recorded hashes (" + file.string() + "), or --record");
+}
+
+bool Comparison::advance_to_start(const AfterFrame& after_frame)
+{
+    bool go_on = true;
+    while (go_on && candidate_->state().frame < options_.from) {
+        go_on = after_frame(candidate_->advance());
+        if (twin_) {
+            twin_->advance();
+        }
+    }
+    return go_on;
+}
+
+ComparisonResult Comparison::bits(const AfterFrame& after_frame)
+{
+    RecordedHashes recording{hash_, options_.candidate.precision, {}};
+    ComparisonResult result =
+        compare_bits(*candidate_, {twin_.get(), recorded_}, frames_, after_frame, &recording);
+    if (!options_.record.empty() && result.problems.empty() && !InterruptWatch::interrupted()) {
+        output::write_atomically(options_.record, to_csv(recording, scenario_.name));
+        result.notes.push_back("hashes recorded in " + options_.record.string());
+    }
+    return result;
+}
+
+ComparisonResult Comparison::run()
+{
+    const bool free = options_.mode == "free";
+    const std::int64_t runs = free ? options_.ensemble + 2 : 1; // candidate, reference, ensemble
+    Progress progress(0, options_.from + runs * frames_);
+    FrameRecord shown;
+    const AfterFrame after_frame = [&](const FrameRecord& record) {
+        ++shown.frame;
+        shown.phase = record.phase;
+        progress.show(shown);
+        return !InterruptWatch::interrupted();
+    };
+    ComparisonResult result;
+    if (advance_to_start(after_frame)) {
+        const std::string& precision = options_.candidate.precision;
+        if (free) {
+            FreeRunSettings settings;
+            settings.frames = frames_;
+            settings.members = options_.ensemble;
+            result = compare_free(scenario_, *candidate_, precision, settings, after_frame);
+        } else {
+            result = options_.mode == "bits"
+                         ? bits(after_frame)
+                         : compare_lockstep(scenario_, *candidate_, precision, frames_, after_frame);
+        }
+    }
+    if (InterruptWatch::interrupted()) {
+        result.problems.emplace_back("interrupted");
+    }
+    return result;
 }
 
 } // namespace
@@ -48,35 +182,14 @@ void check(const CompareOptions& options)
 int compare(const CompareOptions& options)
 {
     check(options);
-    const Scenario scenario = read_scenario(options.scenario);
-    const std::unique_ptr<Backend> candidate = make_backend(options.candidate, scenario, std::nullopt);
-    const std::int64_t frames = options.frames > 0 ? options.frames : scenario.time.frames - options.from;
-    if (frames < 1) {
-        throw InputError("--from",
-                         "the scenario has no frame after it (" + std::to_string(options.from) + ")",
-                         "allowed: below " + std::to_string(scenario.time.frames) + ", or --frames");
-    }
+    Comparison comparison(options);
     const InterruptWatch watch;
-    ComparisonResult result;
-    {
-        Progress progress(0, options.from + frames);
-        const auto after_frame = [&](const FrameRecord& record) {
-            progress.show(record);
-            return !InterruptWatch::interrupted();
-        };
-        bool go_on = true;
-        while (go_on && candidate->state().frame < options.from) {
-            go_on = after_frame(candidate->advance());
-        }
-        if (go_on) {
-            result = compare_lockstep(scenario, *candidate, options.candidate.precision, frames, after_frame);
-        }
+    const ComparisonResult result = comparison.run();
+    if (comparison.only_records() && result.problems.empty()) {
+        std::cout << result.notes.back() << std::endl;
+        return 0;
     }
-    if (InterruptWatch::interrupted()) {
-        result.problems.emplace_back("interrupted");
-    }
-    const ComparisonTitle title{options.mode, scenario.name, scenario_hash(scenario), options.candidate,
-                                candidate->device()};
+    const ComparisonTitle title = comparison.title();
     std::cout << report_text(title, result) << std::flush;
     if (!options.report.empty()) {
         output::write_atomically(options.report, report_json(title, result));

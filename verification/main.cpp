@@ -70,10 +70,14 @@ CLI::App* add_compare(CLI::App& app, CompareOptions& options)
                         "how many to compare (default: up to the scenario's last)");
     compare->add_option("--from", options.from, "let the candidate come to this frame first")
         ->capture_default_str();
+    compare->add_option("--ensemble", options.ensemble, "members of the ensemble in mode free")
+        ->capture_default_str();
+    compare->add_option("--record", options.record, "in mode bits: CSV file for the candidate's hashes");
     compare->add_option("--report", options.report, "JSON file for the result");
     compare->footer(
-        "Example:\n"
+        "Examples:\n"
         "  aneurysm compare data/scenarios/quick.json --candidate cpu --precision float --frames 300\n"
+        "  aneurysm compare data/scenarios/quick.json --candidate cpu --precision float --mode bits\n"
         "Exit codes: 0 all within its bounds, 1 failed, 2 bad input, 3 something is not within its bounds,\n"
         "130 interrupted.");
     return compare;

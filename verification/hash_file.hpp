@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/frame.hpp"
+#include "common/scenario.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace aneurysm::verification
+{
+
+/// The columns of a file of recorded hashes, without the frame's number: the fields of hashes.csv, and
+/// `state`, the hash of everything.
+std::vector<std::string> hash_columns();
+/// 64-bit FNV-1a of each of them.
+std::vector<std::string> hashes_of(const SimulationState& state);
+
+/// Hashes that a run once had, by frame.
+struct RecordedHashes {
+    std::string scenario_hash;
+    std::string precision;
+    std::map<std::int64_t, std::vector<std::string>> frames;
+};
+
+/// Where the hashes of a scenario file are kept: ../hashes/NAME.PRECISION.csv beside its folder.
+std::filesystem::path hash_file(const std::filesystem::path& scenario_file, const Scenario& scenario,
+                                const std::string& precision);
+
+/// CSV behind a comment that names scenario, its hash, the precision and the version that made them.
+std::string to_csv(const RecordedHashes& hashes, const std::string& scenario_name);
+
+/// \throws InputError that names file and line when the file isn't as it was written, or is of another
+/// scenario or precision
+RecordedHashes read_hashes(const std::filesystem::path& file, const std::string& scenario_hash,
+                           const std::string& precision);
+
+} // namespace aneurysm::verification
