@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Sets CMAKE_CUDA_COMPILER where there is an nvcc that works, and says when there is none. The machine code is for data
-# centre GPUs (A100, H100, H200); newer ones and smaller ones compile the PTX.
+# Sets aneurysm_with_cuda where there is an nvcc that works, and says when there is none. The machine code is for data
+# centre GPUs (A100, H100, H200) and the smaller ones of their families; newer GPUs compile the PTX.
 if(NOT CMAKE_CUDA_COMPILER)
   find_program(ANEURYSM_NVCC nvcc HINTS ENV CUDA_PATH ENV CUDA_HOME PATHS /usr/local/cuda PATH_SUFFIXES bin)
   if(ANEURYSM_NVCC)
@@ -16,7 +16,9 @@ endif()
 set(CMAKE_CUDA_RUNTIME_LIBRARY Static)
 include(CheckLanguage)
 check_language(CUDA)
-if(NOT CMAKE_CUDA_COMPILER)
+if(CMAKE_CUDA_COMPILER)
+  set(aneurysm_with_cuda ON)
+else()
   unset(CMAKE_CUDA_COMPILER CACHE) # look again next time
   set(nvcc_missing "no nvcc that works: --backend cuda will not be there (set CUDA_PATH, or -DANEURYSM_CUDA=OFF)")
   if(ANEURYSM_CUDA STREQUAL "ON")
