@@ -203,10 +203,12 @@ Iteration accelerated_waves(const Medium& medium, double omega, double dt,
 double error_gain(std::span<const double> theta, double g)
 {
     ErrorGrowth growth;
+    double most = 0;
     for (const double t : theta) {
         growth.iterate(g, t);
+        most = std::max(most, growth.sum());
     }
-    return growth.sum();
+    return most;
 }
 
 Iteration accelerated_two_bodies(const TwoBodies& bodies, double omega, double dt, int n)

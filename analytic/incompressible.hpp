@@ -25,7 +25,7 @@ struct ResidualWave {
     double mean_square = 0.5; ///< of cos(k.r) over the lattice; 1 where it is 1 or -1 everywhere
 };
 
-/// Waves and what they are after 0, 1, 2, ... iterations: amplitudes[n][wave].
+/// Amplitudes of waves after n = 0, 1, 2, ... iterations: [n][wave].
 struct Iteration {
     std::vector<std::vector<Estimate>> pressure; ///< y, from its uniform start on [Pa]
     std::vector<std::vector<Estimate>> residual; ///< [kg/(m^3 s)]
@@ -43,9 +43,9 @@ struct Iteration {
 Iteration accelerated_waves(const Medium& medium, double omega, double dt,
                             std::span<const ResidualWave> waves, int n);
 
-/// Eq. (3)  What errors of 1 in each p and in each y of an iteration with these theta and the factor g have
-/// become in the last y, the sum of their magnitudes [1]. With -|g| all of them add up, which bounds them
-/// where pressures reach 0, too.
+/// Eq. (3)  What errors of 1 in each p and in each y of an iteration with these theta and the factor g become
+/// at most in any y, the sum of their magnitudes [1]. With -|g| all of them add up, which bounds them where
+/// pressures reach 0, too.
 double error_gain(std::span<const double> theta, double g);
 
 /// Eq. (3)  Two equal free bodies and nobody else, with equal pressures and residuals. A pressure changes the
