@@ -41,10 +41,15 @@ Grid<Real> make_grid(const Setup& setup)
     include(setup.ghosts.fixed().position);
     include(setup.ghosts.near_sac());
     include(setup.lattice.fluid);
-    const auto cells = [&](double extent) { return static_cast<Index>(extent / width) + 2; };
-    // rounded up a little: a cell must not be narrower than the support
-    return {narrow<Real>(low), static_cast<Real>(1 / (width * (1 + 1e-5))), cells(high.x - low.x),
-            cells(high.y - low.y), cells(high.z - low.z)};
+    const auto real = [](double x) { return static_cast<Real>(x); };
+    const double wide = width * (1 + 1e-5); // for rounding: a cell must not be narrower than the support
+    const auto cells = [&](double extent, double of) { return static_cast<Index>(extent / of) + 2; };
+    return {.low = narrow<Real>(low),
+            .per_width = real(1 / wide),
+            .per_x_width = real(2 / wide),
+            .x_cells = cells(high.x - low.x, wide / 2),
+            .y_cells = cells(high.y - low.y, wide),
+            .z_cells = cells(high.z - low.z, wide)};
 }
 
 template <class Real>
@@ -100,7 +105,7 @@ public:
           body_z_(executor, constants_.bodies() + lane_count),
           is_mirror_(executor, constants_.bodies() + lane_count), key_(executor, n_),
           sorted_key_(executor, n_), order_(executor, n_), start_(executor, 2 * constants_.grid.cells() + 2),
-          wall_start_(executor, constants_.grid.cells() + 1), near_wall_(executor, constants_.grid.cells()),
+          wall_start_(executor, constants_.grid.cells() + 1), near_ghosts_(executor, constants_.grid.cells()),
           wall_position_(executor, constants_.walls), free_begin_(executor, n_ + 1),
           free_blocks_(executor, n_), ghost_begin_(executor, n_ + 1), ghost_blocks_(executor, n_),
           ghost_gradient_(executor, n_), force_(executor, n_), acceleration_(executor, n_),
@@ -293,25 +298,49 @@ private:
         std::partial_sum(start.begin(), start.end(), start.begin());
         executor_->upload(wall_position_.get(), sorted.data(), sorted.size());
         executor_->upload(wall_start_.get(), start.data(), start.size());
-        std::vector<Index> near_wall(static_cast<std::size_t>(grid.cells()), 0);
+        std::vector<Index> near(static_cast<std::size_t>(grid.cells()), 0);
         for (const Row<Real>& w : walls) {
-            mark_around(near_wall, w.vector());
+            mark_around(near, w.vector(), near_wall);
         }
-        executor_->upload(near_wall_.get(), near_wall.data(), near_wall.size());
+        // A slab's ghosts can be anywhere behind their plane, as far as the slab goes.
+        for (const Opening& end : setup.vessel.openings()) {
+            for_each_place_behind(end, setup,
+                                  [&](const Vec3& x) { mark_around(near, narrow<Real>(x), near_opening); });
+        }
+        executor_->upload(near_ghosts_.get(), near.data(), near.size());
     }
-    void mark_around(std::vector<Index>& cells, const Vec3T<Real>& x) const
+    /// Places half a cell apart, all around the slab behind an open end.
+    template <class Visit>
+    static void for_each_place_behind(const Opening& end, const Setup& setup, const Visit& visit)
+    {
+        const double step = setup.h;
+        const double reach = end.radius + 4 * step;
+        const int n = static_cast<int>(reach / step) + 1;
+        const int depth = static_cast<int>(opening_layers * setup.lattice.spacing / step) + 4;
+        const Vec3 e_1 = std::abs(end.outward.z) < 0.5 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
+        const Vec3 e_2 = cross(end.outward, e_1);
+        for (int i = -n; i <= n; ++i) {
+            for (int j = -n; j <= n; ++j) {
+                for (int k = -2; k <= depth; ++k) {
+                    visit(end.center + step * (static_cast<double>(i) * e_1 + static_cast<double>(j) * e_2 +
+                                               static_cast<double>(k) * end.outward));
+                }
+            }
+        }
+    }
+    void mark_around(std::vector<Index>& cells, const Vec3T<Real>& x, Near what) const
     {
         const Grid<Real>& grid = constants_.grid;
-        const auto around = [](Index c, Index count) {
-            return std::pair{std::max(c - 1, Index{0}), std::min(c + 1, count - 1)};
+        const auto around = [](Index c, Index reach, Index count) {
+            return std::pair{std::max(c - reach, Index{0}), std::min(c + reach, count - 1)};
         };
-        const auto [z_low, z_high] = around(grid.z_cell(x), grid.z_cells);
-        const auto [y_low, y_high] = around(grid.y_cell(x), grid.y_cells);
-        const auto [x_low, x_high] = around(grid.x_cell(x), grid.x_cells);
+        const auto [z_low, z_high] = around(grid.z_cell(x.z), 1, grid.z_cells);
+        const auto [y_low, y_high] = around(grid.y_cell(x.y), 1, grid.y_cells);
+        const auto [x_low, x_high] = around(grid.x_cell(x.x), 2, grid.x_cells);
         for (Index k = z_low; k <= z_high; ++k) {
             for (Index j = y_low; j <= y_high; ++j) {
                 for (Index i = x_low; i <= x_high; ++i) {
-                    cells[static_cast<std::size_t>(grid.index(i, j, k))] = 1;
+                    cells[static_cast<std::size_t>(grid.index(i, j, k))] |= what;
                 }
             }
         }
@@ -341,7 +370,7 @@ private:
         f.order = order_.get();
         f.start = start_.get();
         f.wall_start = wall_start_.get();
-        f.near_wall = near_wall_.get();
+        f.near_ghosts = near_ghosts_.get();
         f.wall_position = wall_position_.get();
         f.free = {free_begin_.get(), free_blocks_.get(), free_body_.get(), free_body_.size() / lane_count};
         f.ghosts = {ghost_begin_.get(), ghost_blocks_.get(), ghost_body_.get(),
@@ -398,7 +427,7 @@ private:
     Array<Index> order_;
     Array<Index> start_;
     Array<Index> wall_start_;
-    Array<Index> near_wall_;
+    Array<Index> near_ghosts_;
     Array<Row<Real>> wall_position_;
     Array<Index> free_begin_;
     Array<Index> free_blocks_;

@@ -9,12 +9,14 @@
 namespace aneurysm::device
 {
 
-/// The grid of cells, as wide as the support, that holds every body. Beyond its edge the outermost cells go
-/// on.
+/// The grid of cells that holds every body: as wide as the support in y and z, half of that in x, along which
+/// bodies are read in a row. Beyond its edge the outermost cells go on. y is the slowest index: along it the
+/// artery is longest, so that neighbours are near in memory.
 template <class Real>
 struct Grid {
     Vec3T<Real> low; ///< corner of cell 0 [m]
     Real per_width = 0;
+    Real per_x_width = 0;
     Index x_cells = 0;
     Index y_cells = 0;
     Index z_cells = 0;
@@ -25,11 +27,14 @@ struct Grid {
         const Real c = offset * per_width;
         return c >= 1 ? (c < static_cast<Real>(cells) ? static_cast<Index>(c) : cells - 1) : 0; // NaN: 0
     }
-    ANEURYSM_HD Index x_cell(const Vec3T<Real>& r) const { return along(r.x - low.x, per_width, x_cells); }
-    ANEURYSM_HD Index y_cell(const Vec3T<Real>& r) const { return along(r.y - low.y, per_width, y_cells); }
-    ANEURYSM_HD Index z_cell(const Vec3T<Real>& r) const { return along(r.z - low.z, per_width, z_cells); }
-    ANEURYSM_HD Index index(Index x, Index y, Index z) const { return (z * y_cells + y) * x_cells + x; }
-    ANEURYSM_HD Index cell(const Vec3T<Real>& r) const { return index(x_cell(r), y_cell(r), z_cell(r)); }
+    ANEURYSM_HD Index x_cell(Real x) const { return along(x - low.x, per_x_width, x_cells); }
+    ANEURYSM_HD Index y_cell(Real y) const { return along(y - low.y, per_width, y_cells); }
+    ANEURYSM_HD Index z_cell(Real z) const { return along(z - low.z, per_width, z_cells); }
+    ANEURYSM_HD Index index(Index x, Index y, Index z) const { return (y * z_cells + z) * x_cells + x; }
+    ANEURYSM_HD Index cell(const Vec3T<Real>& r) const
+    {
+        return index(x_cell(r.x), y_cell(r.y), z_cell(r.z));
+    }
 };
 
 /// What stays the same through a run. SI units.
@@ -102,6 +107,8 @@ struct Scene {
     Index ghost_blocks;
 };
 
+enum Near : Index { near_wall = 1, near_opening = 2 };
+
 /// All arrays in device memory. `id`: by a particle's identity, through the whole run; `sorted`: by the order
 /// of cells, free particles first, then ghosts of the open ends, then the reserve.
 template <class Real>
@@ -132,10 +139,10 @@ struct Fields {
     // sorted, [particles + 1]
     Index* key = nullptr;
     Index* sorted_key = nullptr;
-    Index* order = nullptr;            ///< id
-    Index* start = nullptr;            ///< [2 * cells + 2] first body of each key
-    const Index* wall_start = nullptr; ///< [cells + 1]
-    const Index* near_wall = nullptr;  ///< [cells] 1: a wall's ghost in this cell or one beside it
+    Index* order = nullptr;             ///< id
+    Index* start = nullptr;             ///< [2 * cells + 2] first body of each key
+    const Index* wall_start = nullptr;  ///< [cells + 1]
+    const Index* near_ghosts = nullptr; ///< [cells] which ghosts a place in the cell can see, a sum of Near
     const Row<Real>* wall_position =
         nullptr; ///< [walls] by cell; w: mass where the sac doesn't reach, else -1
     Lists free{};

@@ -45,24 +45,21 @@ struct Range {
     Index end;
 };
 
-/// The nine rows of three cells around a place.
+/// The nine rows of cells around a place, as far along x as a particle sees.
 template <class Real, class Visit>
 ANEURYSM_INLINE void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, const Index* start,
                                   const Visit& visit)
 {
-    const Index x = grid.x_cell(r);
-    const Index y = grid.y_cell(r);
-    const Index z = grid.z_cell(r);
-    const Index left = x > 0 ? x - 1 : x;
-    const Index right = x + 1 < grid.x_cells ? x + 1 : x;
-    for (Index dz = -1; dz <= 1; ++dz) {
-        for (Index dy = -1; dy <= 1; ++dy) {
+    const Index x = grid.x_cell(r.x);
+    const Index y = grid.y_cell(r.y);
+    const Index z = grid.z_cell(r.z);
+    const Index left = x > 2 ? x - 2 : 0;
+    const Index behind_right = x + 3 < grid.x_cells ? x + 3 : grid.x_cells;
+    for (Index dy = -1; dy <= 1; ++dy) {
+        for (Index dz = -1; dz <= 1; ++dz) {
             if (y + dy >= 0 && y + dy < grid.y_cells && z + dz >= 0 && z + dz < grid.z_cells) {
                 const Index first = grid.index(0, y + dy, z + dz);
-                const Range range{start[first + left], start[first + right + 1]};
-                if (range.begin < range.end) {
-                    visit(range);
-                }
+                visit(Range{start[first + left], start[first + behind_right]});
             }
         }
     }
@@ -83,8 +80,11 @@ struct Search {
         finish(f.free, i, hits, lane);
 
         Hits<fill> ghosts(fill ? f.ghosts.body + lane_count * f.ghosts.begin[i] : nullptr);
-        collect(i, r, f.start + cells, 0, ghosts, lane);
-        if (f.near_wall[f.c.grid.cell(r)] != 0) {
+        const Index near = f.near_ghosts[f.c.grid.cell(r)];
+        if ((near & near_opening) != 0) {
+            collect(i, r, f.start + cells, 0, ghosts, lane);
+        }
+        if ((near & near_wall) != 0) {
             collect(i, r, f.wall_start, f.c.first_wall(), ghosts, lane);
         }
         finish(f.ghosts, i, ghosts, lane);

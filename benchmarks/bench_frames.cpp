@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames per second of whole frames, growth included and without output, for every backend and particle
+// number, with the errors that they were reached at: a speed without its error says nothing. Prints a table
+// with the paper's numbers beside ours.
+//
+//     bench_frames DATA [--table FILE] [Google Benchmark's options]
+//     bench_frames data --benchmark_filter='frames/(tc1|tc2|tc3|tc4)/cpu'
+#include "benchmarks/machine.hpp"
+#include "common/error.hpp"
+#include "common/scenario_limits.hpp"
+#include "cuda/simulation.hpp"
+#include "reference/simulation.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <thread>
+
+namespace
+{
+
+using namespace aneurysm;
+
+/// What is run.
+struct Case {
+    std::string name;
+    Scenario scenario;
+    double paper_cpu = 0; ///< FPS of the paper's Table 3; 0: it has none
+    double paper_gpu = 0;
+};
+
+/// Something that makes frames; `profile` is empty for the reference.
+struct Engine {
+    std::function<FrameRecord()> advance;
+    std::function<std::vector<std::pair<std::string, double>>()> profile;
+    std::function<std::pair<double, double>()> pairs; ///< of free particles, and with ghosts
+    double bytes_per_particle = 0;
+};
+
+Scenario with_count(const std::filesystem::path& data, std::int64_t count)
+{
+    Scenario s = read_scenario(data / "scenarios/paper_tc1.json");
+    s.particles.count = count;
+    s.name = std::to_string(count);
+    // A frame is one step here, as long as the flow stays stable for at this resolution.
+    s.time.frame_s = std::min(s.time.frame_s, 0.9 * step_limits(s, estimated_spacing(s)).smallest());
+    return s;
+}
+
+std::vector<Case> cases(const std::filesystem::path& data)
+{
+    std::vector<Case> all;
+    const auto paper = [&](const char* name, double cpu, double gpu) {
+        all.push_back(
+            {name, read_scenario(data / "scenarios" / ("paper_" + std::string(name) + ".json")), cpu, gpu});
+    };
+    paper("tc1", 5.65, 86.95);
+    paper("tc2", 1.61, 54.56);
+    paper("tc3", 1.72, 54.15);
+    paper("tc4", 0.45, 11.10);
+    all.push_back({"tc1_beta1", read_scenario(data / "scenarios/paper_tc1.json"), 0, 0});
+    all.back().scenario.pressure.density_correction = 1; // the whole density error in every step, as peers do
+    all.back().scenario.pressure.max_tolerance_per_s = 1e9;
+    for (const std::int64_t count : {150'000, 1'000'000, 8'000'000}) {
+        all.push_back({std::to_string(count), with_count(data, count), 0, 0});
+    }
+    return all;
+}
+
+Engine reference_engine(const Scenario& scenario)
+{
+    const auto simulation = std::make_shared<reference::Simulation>(scenario);
+    return {[simulation] { return simulation->advance(); }, [] { return decltype(Engine().profile()){}; },
+            [] {
+                return std::pair{0.0, 0.0};
+            },
+            0};
+}
+
+Engine device_engine(std::shared_ptr<device::Simulation> simulation, double particles)
+{
+    return {[simulation] { return simulation->advance(); },
+            [simulation] { return simulation->take_profile(); },
+            [simulation] {
+                const auto [free, ghosts] = simulation->pairs();
+                return std::pair{static_cast<double>(free), static_cast<double>(free + ghosts)};
+            },
+            static_cast<double>(simulation->bytes()) / particles};
+}
+
+Engine make_engine(const Scenario& scenario, const std::string& backend, device::Precision precision,
+                   int threads)
+{
+    if (backend == "reference") {
+        return reference_engine(scenario);
+    }
+    const device::Tuning tuning{threads, 0, device::Tuning::Gradients::automatic};
+    auto simulation = backend == "cpu"
+                          ? device::make_cpu_simulation(scenario, precision, tuning, std::nullopt)
+                          : device::make_gpu_simulation(scenario, precision, tuning, std::nullopt);
+    return device_engine(std::move(simulation), static_cast<double>(scenario.particles.count));
+}
+
+/// Sums over the timed frames, as counters.
+struct Tally {
+    double count = 0;
+    double iterations = 0;
+    double density_mean = 0;
+    double density_max = -1;
+    double divergence_mean = 0;
+    double divergence_max = 0;
+
+    void add(const FrameRecord& r)
+    {
+        ++count;
+        iterations += static_cast<double>(r.iterations);
+        density_mean += r.density_error_mean;
+        density_max = std::max(density_max, r.density_error_max);
+        divergence_mean += r.divergence_mean;
+        divergence_max = std::max(divergence_max, r.divergence_max);
+    }
+};
+
+void frames(benchmark::State& state, const Case& c, const std::string& backend, device::Precision precision,
+            int threads, int start_up)
+{
+    const auto particles = static_cast<double>(c.scenario.particles.count);
+    Engine engine;
+    try {
+        engine = make_engine(c.scenario, backend, precision, threads);
+    } catch (const Error& error) {
+        state.SkipWithError(error.what());
+        return;
+    }
+    for (int frame = 0; frame < start_up; ++frame) {
+        engine.advance();
+    }
+    engine.profile();
+    Tally tally;
+    for ([[maybe_unused]] auto _ : state) { // NOLINT(clang-analyzer-deadcode.DeadStores)
+        tally.add(engine.advance());
+    }
+    auto& counters = state.counters;
+    const double n = tally.count;
+    counters["FPS"] = benchmark::Counter(n, benchmark::Counter::kIsRate);
+    counters["particles"] = particles;
+    counters["particle_frames_per_s"] = benchmark::Counter(n * particles, benchmark::Counter::kIsRate);
+    counters["iterations"] = tally.iterations / n;
+    counters["density_error_mean"] = tally.density_mean / n;
+    counters["density_error_max"] = tally.density_max;
+    counters["divergence_mean_per_s"] = tally.divergence_mean / n;
+    counters["divergence_max_per_s"] = tally.divergence_max;
+    counters["bytes_per_particle"] = engine.bytes_per_particle;
+    for (const auto& [pass, seconds] : engine.profile()) {
+        counters["ms_" + pass] = 1e3 * seconds / n;
+        const auto [free, all] = engine.pairs();
+        if (pass == "pressure") { // two passes over all pairs of free particles in every evaluation of (3)
+            counters["ns_per_pair"] = 1e9 * seconds / (2 * free * (tally.iterations + n));
+        } else if (pass == "neighbours") {
+            counters["search_ns_per_pair"] = 1e9 * seconds / (all * n);
+        }
+    }
+}
+
+void copy(benchmark::State& state, int threads)
+{
+    for ([[maybe_unused]] auto _ : state) { // NOLINT(clang-analyzer-deadcode.DeadStores)
+        state.counters["GB_per_s"] = 1e-9 * benchmarks::copy_bandwidth(threads);
+    }
+}
+
+void bare_pairs(benchmark::State& state, int threads, std::int32_t particles)
+{
+    for ([[maybe_unused]] auto _ : state) { // NOLINT(clang-analyzer-deadcode.DeadStores)
+        state.counters["ns_per_pair"] = 1e9 * benchmarks::bare_pair_seconds(threads, particles);
+    }
+}
+
+/// Collects what the console shows, for the table.
+class Collector final : public benchmark::ConsoleReporter
+{
+public:
+    Collector() : ConsoleReporter(OO_Tabular) {}
+    void ReportRuns(const std::vector<Run>& runs) override
+    {
+        ConsoleReporter::ReportRuns(runs);
+        runs_.insert(runs_.end(), runs.begin(), runs.end());
+    }
+    const std::vector<Run>& runs() const { return runs_; }
+
+private:
+    std::vector<Run> runs_;
+};
+
+double counter(const benchmark::BenchmarkReporter::Run& run, const std::string& name)
+{
+    const auto at = run.counters.find(name);
+    return at == run.counters.end() ? NAN : at->second.value;
+}
+
+std::string number(double value, int digits)
+{
+    if (!std::isfinite(value)) {
+        return "-";
+    }
+    std::ostringstream text;
+    text << std::setprecision(digits) << value;
+    return text.str();
+}
+
+std::string table(const std::vector<benchmark::BenchmarkReporter::Run>& runs, const std::vector<Case>& all)
+{
+    std::ostringstream text;
+    text << "| benchmark | particles | FPS | paper CPU | paper GPU | iterations | density error mean, max | "
+            "divergence mean, max [1/s] | ns a pair | bytes a particle |\n"
+            "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+    for (const auto& run : runs) {
+        const std::string name = run.run_name.function_name;
+        if (run.error_occurred) {
+            text << "| " << name << " | not run: " << run.error_message << " |\n";
+            continue;
+        }
+        if (run.counters.contains("GB_per_s")) {
+            text << "| " << name << " | " << number(counter(run, "GB_per_s"), 3) << " GB/s |\n";
+            continue;
+        }
+        const auto c = std::ranges::find_if(
+            all, [&](const Case& one) { return name.starts_with("frames/" + one.name + "/"); });
+        const auto paper = [&](double fps) { return c != all.end() && fps > 0 ? number(fps, 4) : "-"; };
+        text << "| " << name << " | " << number(counter(run, "particles"), 8) << " | "
+             << number(counter(run, "FPS"), 4) << " | " << (c != all.end() ? paper(c->paper_cpu) : "-")
+             << " | " << (c != all.end() ? paper(c->paper_gpu) : "-") << " | "
+             << number(counter(run, "iterations"), 4) << " | "
+             << number(100 * counter(run, "density_error_mean"), 3) << " %, "
+             << number(100 * counter(run, "density_error_max"), 3) << " % | "
+             << number(counter(run, "divergence_mean_per_s"), 3) << ", "
+             << number(counter(run, "divergence_max_per_s"), 3) << " | "
+             << number(counter(run, "ns_per_pair"), 3) << " | "
+             << number(counter(run, "bytes_per_particle"), 4) << " |\n";
+    }
+    return text.str();
+}
+
+/// Frames that are timed: about as many as half a minute has room for.
+int timed_frames(const std::string& backend, std::int64_t particles)
+{
+    const double per_second = backend == "reference" ? 2e5 : backend == "cpu" ? 1.5e6 : 2e8;
+    return static_cast<int>(std::clamp(20 * per_second / static_cast<double>(particles), 3.0, 1000.0));
+}
+
+void register_all(const std::vector<Case>& all)
+{
+    const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
+    const auto add = [](const Case& c, const std::string& backend, device::Precision precision, int threads) {
+        const std::string suffix = backend == "reference"                    ? ""
+                                   : precision == device::Precision::single_ ? "/float"
+                                                                             : "/double";
+        const std::string team = backend == "cpu" ? "/threads:" + std::to_string(threads) : "";
+        const int timed = timed_frames(backend, c.scenario.particles.count);
+        benchmark::RegisterBenchmark(("frames/" + c.name + "/" + backend + suffix + team).c_str(), frames, c,
+                                     backend, precision, threads, std::min(timed, 100))
+            ->Iterations(timed)
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime();
+    };
+    std::vector<int> teams{1};
+    if (cores > 1) {
+        teams.push_back(cores);
+    }
+    for (const int threads : teams) {
+        const std::string name = "/threads:" + std::to_string(threads);
+        benchmark::RegisterBenchmark(("copy" + name).c_str(), copy, threads)->Iterations(1);
+        for (const std::int32_t n : {5'520, 40'296}) {
+            benchmark::RegisterBenchmark(("bare_pairs/" + std::to_string(n) + name).c_str(), bare_pairs,
+                                         threads, n)
+                ->Iterations(1);
+        }
+    }
+    for (const Case& c : all) {
+        if (c.scenario.particles.count < 100'000) {
+            add(c, "reference", device::Precision::double_, 1);
+        }
+        for (const int threads : teams) {
+            add(c, "cpu", device::Precision::single_, threads);
+        }
+        add(c, "cpu", device::Precision::double_, teams.back());
+        add(c, "cuda", device::Precision::single_, 0);
+        add(c, "cuda", device::Precision::double_, 0);
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    benchmark::Initialize(&argc, argv);
+    std::string data;
+    std::string table_file;
+    for (int i = 1; i < argc; ++i) {
+        if (std::string(argv[i]) == "--table" && i + 1 < argc) {
+            table_file = argv[++i];
+        } else {
+            data = argv[i];
+        }
+    }
+    try {
+        if (data.empty()) {
+            throw InputError("bench_frames", "no data directory given", "needed: bench_frames data");
+        }
+        const std::vector<Case> all = cases(data);
+        register_all(all);
+        Collector collector;
+        benchmark::RunSpecifiedBenchmarks(&collector);
+        const std::string text = table(collector.runs(), all);
+        std::cout << "\n" << text;
+        if (!table_file.empty() && !(std::ofstream(table_file) << text).flush()) {
+            throw Error(table_file, "cannot be written", "needed: a place with enough space");
+        }
+    } catch (const Error& error) {
+        std::cerr << error.what() << "\n";
+        return 2;
+    }
+    return 0;
+}
