@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every equation of the table has its one reference function, an oracle and a test.
+"""Every equation of the table has its one reference function, its device function, an oracle and a test.
 
 Reads common/equations.hpp and looks for
   - `Eq. (N)` at the start of the doc comment of the row's function, once under reference/, and that function's body;
+  - the same once under cuda/, whatever its arguments;
   - `Eq. (N)` in a doc comment under analytic/;
   - a test case `eqNN_...` under tests/.
 """
@@ -37,6 +38,8 @@ def check(root):
         findings.append("common/equations.hpp: not exactly one row for each of (1)-(28) and EOS")
     reference = text_of(root, "reference")
     functions = list(documented_functions(reference))
+    device = text_of(root, "cuda")
+    device_functions = list(documented_functions(device))
     oracles = "\n".join(MENTION.findall(text_of(root, "analytic")))
     tests = set(TEST.findall(text_of(root, "tests")))
     for number, _, title, function in rows:
@@ -46,6 +49,11 @@ def check(root):
             findings.append(f"{where}: documented at {documented} in reference/, not once at {function!r}")
         if not re.search(rf"\b{function}\s*\([^;{{]*\{{", reference):
             findings.append(f"{where}: {function!r} has no body in reference/")
+        on_device = [name for equation, name in device_functions if equation == number]
+        if on_device != [function]:
+            findings.append(f"{where}: documented at {on_device} in cuda/, not once at {function!r}")
+        if not re.search(rf"\b{function}\s*\([^;{{]*\{{", device):
+            findings.append(f"{where}: {function!r} has no body in cuda/")
         if f"Eq. ({number})" not in oracles:
             findings.append(f"{where}: no oracle in analytic/ says Eq. ({number})")
         if (number if number == "EOS" else f"{int(number):02}") not in tests:
@@ -57,6 +65,8 @@ FAULTS = [
     ("reference/growth.hpp", "/// Eq. (21)", "/// Equation 21", "Eq. (21)"),
     ("reference/growth.hpp", "radius_increment", "radius_growth", "Eq. (21)"),
     ("reference/growth.hpp", "/// Eq. (18)", "/// Eq. (17)", "Eq. (17)"),
+    ("cuda/growth.hpp", "/// Eq. (21)", "/// Equation 21", "in cuda/"),
+    ("cuda/blood_flow.hpp", "viscosity_force", "viscous_force", "in cuda/"),
     ("analytic", "Eq. (26)", "the outlet's pressure", "Eq. (26)"),
     ("tests", "(eq23_", "(thinning_", "Eq. (23)"),
     ("common/equations.hpp", '{"EOS", ', '{"29", ', "EOS"),
