@@ -105,13 +105,13 @@ public:
           body_z_(executor, constants_.bodies() + lane_count),
           is_mirror_(executor, constants_.bodies() + lane_count), key_(executor, n_),
           sorted_key_(executor, n_), order_(executor, n_), start_(executor, 2 * constants_.grid.cells() + 2),
-          wall_start_(executor, constants_.grid.cells() + 1), near_ghosts_(executor, constants_.grid.cells()),
-          wall_position_(executor, constants_.walls), free_begin_(executor, n_ + 1),
-          free_blocks_(executor, n_), ghost_begin_(executor, n_ + 1), ghost_blocks_(executor, n_),
-          ghost_gradient_(executor, n_), force_(executor, n_), acceleration_(executor, n_),
-          solved_velocity_(executor, n_ + 1), p_(executor, n_ + 1), p_old_(executor, n_ + 1),
-          alpha_(executor, n_), source_(executor, n_), response_(executor, n_), rate_(executor, n_),
-          impact_(executor, n_), impact_eos_(executor, n_), rank_(executor, n_ + 1),
+          wall_start_(executor, constants_.grid.cells() + 1),
+          cell_property_(executor, constants_.grid.cells()), wall_position_(executor, constants_.walls),
+          free_begin_(executor, n_ + 1), free_blocks_(executor, n_), ghost_begin_(executor, n_ + 1),
+          ghost_blocks_(executor, n_), ghost_gradient_(executor, n_), force_(executor, n_),
+          acceleration_(executor, n_), solved_velocity_(executor, n_ + 1), p_(executor, n_ + 1),
+          p_old_(executor, n_ + 1), alpha_(executor, n_), source_(executor, n_), response_(executor, n_),
+          rate_(executor, n_), impact_(executor, n_), impact_eos_(executor, n_), rank_(executor, n_ + 1),
           entry_rank_(executor, n_ + 1), scene_(executor, 1), old_scene_(executor, 1),
           inlet_(executor, 2 * steps_), input_(executor, 1)
     {
@@ -121,6 +121,7 @@ public:
         make_lists(5 * n_ + 64, 2 * n_ + 64);
         place_null_body();
         place_walls(setup);
+        describe_cells(setup);
         connect();
     }
 
@@ -298,16 +299,47 @@ private:
         std::partial_sum(start.begin(), start.end(), start.begin());
         executor_->upload(wall_position_.get(), sorted.data(), sorted.size());
         executor_->upload(wall_start_.get(), start.data(), start.size());
-        std::vector<Index> near(static_cast<std::size_t>(grid.cells()), 0);
-        for (const Row<Real>& w : walls) {
-            mark_around(near, w.vector(), near_wall);
+    }
+
+    void describe_cells(const Setup& setup)
+    {
+        const Grid<Real>& grid = constants_.grid;
+        std::vector<Index> cells(static_cast<std::size_t>(grid.cells()), 0);
+        for (const Vec3& x : setup.ghosts.fixed().position) {
+            mark_around(cells, narrow<Real>(x), near_wall);
+        }
+        for (const Vec3& x : setup.ghosts.near_sac()) {
+            mark_around(cells, narrow<Real>(x), near_wall);
         }
         // A slab's ghosts can be anywhere behind their plane, as far as the slab goes.
         for (const Opening& end : setup.vessel.openings()) {
             for_each_place_behind(end, setup,
-                                  [&](const Vec3& x) { mark_around(near, narrow<Real>(x), near_opening); });
+                                  [&](const Vec3& x) { mark_around(cells, narrow<Real>(x), near_opening); });
         }
-        executor_->upload(near_ghosts_.get(), near.data(), near.size());
+        mark_deep_cells(cells, setup);
+        executor_->upload(cell_property_.get(), cells.data(), cells.size());
+    }
+    /// The distance to the wall is at most that to the tubes, and grows by no more than the way. The cells at
+    /// the grid's edge go on for ever.
+    void mark_deep_cells(std::vector<Index>& cells, const Setup& setup) const
+    {
+        const Grid<Real>& grid = constants_.grid;
+        const Vec3 edge{1 / static_cast<double>(grid.per_x_width), 1 / static_cast<double>(grid.per_width),
+                        1 / static_cast<double>(grid.per_width)};
+        const Vec3 low{static_cast<double>(grid.low.x), static_cast<double>(grid.low.y),
+                       static_cast<double>(grid.low.z)};
+        const double deep = -1.01 * (0.5 * length(edge) + static_cast<double>(constants_.impact_band));
+        for (Index y = 1; y + 1 < grid.y_cells; ++y) {
+            for (Index z = 1; z + 1 < grid.z_cells; ++z) {
+                for (Index x = 1; x + 1 < grid.x_cells; ++x) {
+                    const Vec3 center =
+                        low + Vec3{(x + 0.5) * edge.x, (y + 0.5) * edge.y, (z + 0.5) * edge.z};
+                    if (setup.vessel.tubes(center).value < deep) {
+                        cells[static_cast<std::size_t>(grid.index(x, y, z))] |= deep_inside;
+                    }
+                }
+            }
+        }
     }
     /// Places half a cell apart, all around the slab behind an open end.
     template <class Visit>
@@ -328,7 +360,7 @@ private:
             }
         }
     }
-    void mark_around(std::vector<Index>& cells, const Vec3T<Real>& x, Near what) const
+    void mark_around(std::vector<Index>& cells, const Vec3T<Real>& x, CellProperty what) const
     {
         const Grid<Real>& grid = constants_.grid;
         const auto around = [](Index c, Index reach, Index count) {
@@ -370,7 +402,7 @@ private:
         f.order = order_.get();
         f.start = start_.get();
         f.wall_start = wall_start_.get();
-        f.near_ghosts = near_ghosts_.get();
+        f.cell_property = cell_property_.get();
         f.wall_position = wall_position_.get();
         f.free = {free_begin_.get(), free_blocks_.get(), free_body_.get(), free_body_.size() / lane_count};
         f.ghosts = {ghost_begin_.get(), ghost_blocks_.get(), ghost_body_.get(),
@@ -427,7 +459,7 @@ private:
     Array<Index> order_;
     Array<Index> start_;
     Array<Index> wall_start_;
-    Array<Index> near_ghosts_;
+    Array<Index> cell_property_;
     Array<Row<Real>> wall_position_;
     Array<Index> free_begin_;
     Array<Index> free_blocks_;

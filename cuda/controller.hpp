@@ -35,6 +35,17 @@ ANEURYSM_HD Index nearest_tube(const Fields<Real>& f, const Vec3T<Real>& x)
 {
     return static_cast<Index>(f.c.vessel.nearest_tube(x));
 }
+/// Whether x is farther than `limit` beyond the end plane of its nearest tube. That tube is only looked for
+/// where it matters.
+template <class Real>
+ANEURYSM_HD bool is_beyond(const Fields<Real>& f, const Vec3T<Real>& x, Real limit)
+{
+    bool any = false;
+    for (Index k = 0; k < 3; ++k) {
+        any = any || opening(f, k).beyond(x) > limit;
+    }
+    return any && opening(f, nearest_tube(f, x)).beyond(x) > limit;
+}
 /// From a ghost to the place a whole slab behind it [m].
 template <class Real>
 ANEURYSM_HD Vec3T<Real> behind(const Fields<Real>& f, Index k)
@@ -323,8 +334,8 @@ struct CrossOpenings {
             return;
         }
         const Vec3T<Real> x = f.position[id].vector();
-        const Index k = nearest_tube(f, x);
-        if (opening(f, k).beyond(x) > 0) {
+        if (is_beyond(f, x, Real(0))) {
+            const Index k = nearest_tube(f, x);
             f.kind[id] = ghost_kind(k);
             f.event[id] += k == 0 ? left_at_inlet : left_at_outlet;
         }

@@ -57,6 +57,24 @@ inline Owned<cudaStream_t> make_stream()
     return Owned<cudaStream_t>(stream);
 }
 
+/// Asks for a kernel in a stream; a grid without blocks is none. \throws Error that names its functors
+template <class... Parameters, class... Arguments>
+void launch(void (*kernel)(Parameters...), unsigned blocks, int threads, cudaStream_t stream,
+            const Arguments&... arguments)
+{
+    if (blocks == 0) {
+        return;
+    }
+    cudaLaunchConfig_t config{};
+    config.gridDim = dim3(blocks);
+    config.blockDim = dim3(static_cast<unsigned>(threads));
+    config.stream = stream;
+    const cudaError_t result = cudaLaunchKernelEx(&config, kernel, arguments...);
+    if (result != cudaSuccess) {
+        check(result, __PRETTY_FUNCTION__);
+    }
+}
+
 /// The first GPU, made this thread's. \throws Error when there is none that can be used
 inline void use_first_gpu()
 {
@@ -65,9 +83,14 @@ inline void use_first_gpu()
         std::to_string(CUDART_VERSION / 1000) + "." + std::to_string(CUDART_VERSION % 1000 / 10) +
         ", or use --backend cpu";
     int count = 0;
+    int driver = 0;
     const cudaError_t found = cudaGetDeviceCount(&count);
     if (found != cudaSuccess || count == 0) {
-        throw Error("backend cuda", std::string("no GPU answers: ") + cudaGetErrorString(found), advice);
+        const bool none = cudaDriverGetVersion(&driver) != cudaSuccess || driver == 0;
+        throw Error("backend cuda",
+                    std::string("no GPU answers: ") +
+                        (none ? "there is no NVIDIA driver" : cudaGetErrorString(found)),
+                    advice);
     }
     check(cudaSetDevice(0), "cudaSetDevice");
     int major = 0;

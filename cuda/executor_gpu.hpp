@@ -14,7 +14,6 @@
 #include <cstring>
 #include <string>
 #include <type_traits>
-#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -204,37 +203,27 @@ public:
     template <class F>
     void for_each(Extent extent, const F& f)
     {
-        if (const unsigned blocks = blocks_for(extent.capacity, 1); blocks > 0) {
-            run_each<<<blocks, block_, 0, stream_>>>(extent, f);
-            check_launch<F>();
-        }
+        launch(run_each<F>, blocks_for(extent.capacity, 1), block_, stream_, extent, f);
     }
     /// f(i, lane) for each i and lane.
     template <class F>
     void for_each_group(Extent extent, const F& f)
     {
-        if (const unsigned blocks = blocks_for(extent.capacity, lane_count); blocks > 0) {
-            run_group<<<blocks, block_, 0, stream_>>>(extent, f);
-            check_launch<F>();
-        }
+        launch(run_group<F>, blocks_for(extent.capacity, lane_count), block_, stream_, extent, f);
     }
     template <class F>
     void once(const F& f)
     {
-        run_once<<<1, 1, 0, stream_>>>(f);
-        check_launch<F>();
+        launch(run_once<F>, 1, 1, stream_, f);
     }
 
     /// *out = the sum of map(i) by a fixed tree, see reduce_chunk().
     template <class Value, class Map>
     void reduce(Extent extent, const Map& map, Value* scratch, Value* out)
     {
-        if (const unsigned blocks = blocks_for(chunks(extent.capacity), lane_count); blocks > 0) {
-            reduce_chunks<<<blocks, block_, 0, stream_>>>(extent, map, scratch);
-            check_launch<Map>();
-        }
-        reduce_levels<<<1, largest_block, 0, stream_>>>(extent, scratch, out);
-        check_launch<Value>();
+        const unsigned blocks = blocks_for(chunks(extent.capacity), lane_count);
+        launch(reduce_chunks<Value, Map>, blocks, block_, stream_, extent, map, scratch);
+        launch(reduce_levels<Value>, 1, largest_block, stream_, extent, scratch, out);
     }
 
     /// out[i] = in[0] + ... + in[i - 1], and the total in out[n].
@@ -320,13 +309,6 @@ private:
         const auto threads = static_cast<std::int64_t>(n) * threads_each;
         return static_cast<unsigned>((threads + block_ - 1) / block_);
     }
-    template <class Launched>
-    static void check_launch(const std::source_location& at = std::source_location::current())
-    {
-        if (const cudaError_t result = cudaGetLastError(); result != cudaSuccess) {
-            check(result, std::string("launch of ") + typeid(Launched).name(), at);
-        }
-    }
 
     cudaError_t scan_all(void* temporary, std::size_t& bytes, Extent extent, const Index* in, Index* out)
     {
@@ -363,18 +345,14 @@ private:
         cudaGraphConditionalHandle condition{};
         check(cudaGraphConditionalHandleCreate(&condition, Capture(stream_).graph, 0, 0),
               "cudaGraphConditionalHandleCreate");
-        const auto decide = [&] {
-            set_condition<<<1, 1, 0, stream_>>>(condition, go);
-            check_launch<GpuExecutor>();
-        };
-        decide();
+        launch(set_condition, 1, 1, stream_, condition, go);
         cudaGraph_t loop = add_while(stream_, condition);
         check(cudaStreamBeginCaptureToGraph(body_.get(), loop, nullptr, nullptr, 0,
                                             cudaStreamCaptureModeRelaxed),
               "cudaStreamBeginCaptureToGraph");
         stream_ = body_.get();
         body();
-        decide();
+        launch(set_condition, 1, 1, stream_, condition, go);
         check(cudaStreamEndCapture(stream_, &loop), "cudaStreamEndCapture");
         stream_ = main_.get();
     }

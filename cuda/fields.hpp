@@ -107,7 +107,9 @@ struct Scene {
     Index ghost_blocks;
 };
 
-enum Near : Index { near_wall = 1, near_opening = 2 };
+/// What is known of a cell once and for all: which ghosts can be seen from it, and that no place in it is
+/// within the impact band of the wall or beyond it, however small the sac.
+enum CellProperty : Index { near_wall = 1, near_opening = 2, deep_inside = 4 };
 
 /// All arrays in device memory. `id`: by a particle's identity, through the whole run; `sorted`: by the order
 /// of cells, free particles first, then ghosts of the open ends, then the reserve.
@@ -139,10 +141,10 @@ struct Fields {
     // sorted, [particles + 1]
     Index* key = nullptr;
     Index* sorted_key = nullptr;
-    Index* order = nullptr;             ///< id
-    Index* start = nullptr;             ///< [2 * cells + 2] first body of each key
-    const Index* wall_start = nullptr;  ///< [cells + 1]
-    const Index* near_ghosts = nullptr; ///< [cells] which ghosts a place in the cell can see, a sum of Near
+    Index* order = nullptr;               ///< id
+    Index* start = nullptr;               ///< [2 * cells + 2] first body of each key
+    const Index* wall_start = nullptr;    ///< [cells + 1]
+    const Index* cell_property = nullptr; ///< [cells] a sum of CellProperty
     const Row<Real>* wall_position =
         nullptr; ///< [walls] by cell; w: mass where the sac doesn't reach, else -1
     Lists free{};
@@ -170,6 +172,10 @@ struct Fields {
     Index* entry_rank = nullptr; ///< [particles + 1]
     Index* reserve = nullptr;    ///< [particles] ids
 
+    ANEURYSM_HD bool has(const Vec3T<Real>& x, CellProperty property) const
+    {
+        return (cell_property[c.grid.cell(x)] & property) != 0;
+    }
     /// Sorted bodies that are free, and that take part at all.
     ANEURYSM_HD Index free_count() const { return start[c.grid.cells()]; }
     ANEURYSM_HD Index active_count() const { return start[2 * c.grid.cells()]; }

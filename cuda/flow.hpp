@@ -268,7 +268,7 @@ struct SumUpFlow {
         }
         const auto error = static_cast<double>(rho) / static_cast<double>(f.c.rho_0) - 1;
         const Vec3T<Real> x = f.body_position[s].vector(); // before the move
-        if (opening(f, nearest_tube(f, x)).beyond(x) > -f.c.open_end) {
+        if (is_beyond(f, x, -f.c.open_end)) {
             sums.error_max_ends = error;
         } else {
             sums.error_max = error;
@@ -340,6 +340,9 @@ private:
             return false;
         }
         const Vec3T<Real> x = f.position[id].vector();
+        if (f.has(x, deep_inside)) {
+            return false;
+        }
         const Real R = sac_radius<Real>(*f.scene);
         const Real to_sac = f.c.vessel.sac(x, R).value;
         const Real to_tubes = f.c.vessel.tubes(x).value;
@@ -402,7 +405,7 @@ private:
     ANEURYSM_HD void handle_collision(Index id, Vec3T<Real>& x, Vec3T<Real>& v) const
     {
         constexpr int attempts = 8; // where surfaces are blended one step along the gradient may fall short
-        if (!f.c.vessel.between_openings(x)) {
+        if (f.has(x, deep_inside) || is_beyond(f, x, Real(0))) {
             return;
         }
         const Real R = sac_radius<Real>(*f.scene);
@@ -439,8 +442,7 @@ struct RecycleEscaped {
             return;
         }
         const Vec3T<Real> x = f.position[id].vector();
-        const bool at_an_end = opening(f, nearest_tube(f, x)).beyond(x) > -f.c.kernel.support();
-        if (at_an_end || length(x - breach_center(f)) > f.c.recycle_distance) {
+        if (is_beyond(f, x, -f.c.kernel.support()) || length(x - breach_center(f)) > f.c.recycle_distance) {
             f.kind[id] = Kind::reserve;
             f.event[id] = recycled;
         }

@@ -80,11 +80,10 @@ struct Search {
         finish(f.free, i, hits, lane);
 
         Hits<fill> ghosts(fill ? f.ghosts.body + lane_count * f.ghosts.begin[i] : nullptr);
-        const Index near = f.near_ghosts[f.c.grid.cell(r)];
-        if ((near & near_opening) != 0) {
+        if (f.has(r, near_opening)) {
             collect(i, r, f.start + cells, 0, ghosts, lane);
         }
-        if ((near & near_wall) != 0) {
+        if (f.has(r, near_wall)) {
             collect(i, r, f.wall_start, f.c.first_wall(), ghosts, lane);
         }
         finish(f.ghosts, i, ghosts, lane);
