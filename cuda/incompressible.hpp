@@ -8,26 +8,35 @@
 namespace aneurysm::device
 {
 
-/// What one evaluation of (3) sums up over the free particles.
-struct SolveSums {
-    double count = 0;
-    double residual = 0; ///< |residual| where the pressure can act [kg/(m^3 s)]
-    double residual_max = 0;
-    double divergence = 0; ///< |Drho/Dt| [kg/(m^3 s)]
-    double divergence_max = 0;
-    double restart = 0; ///< positive: the momentum points uphill
+/// What one evaluation of (3) sums up over the free particles; of one lane, or of all eight.
+template <class Number>
+struct SolveSumsOf {
+    Number count = 0;
+    Number residual = 0; ///< |residual| where the pressure can act [kg/(m^3 s)]
+    Number residual_max = 0;
+    Number divergence = 0; ///< |Drho/Dt| [kg/(m^3 s)]
+    Number divergence_max = 0;
+    Number restart = 0; ///< positive: the momentum points uphill
 
-    ANEURYSM_HD SolveSums& operator+=(const SolveSums& b)
+    ANEURYSM_INLINE SolveSumsOf& operator+=(const SolveSumsOf& b)
     {
         count += b.count;
         residual += b.residual;
-        residual_max = residual_max < b.residual_max ? b.residual_max : residual_max;
+        residual_max = larger(residual_max, b.residual_max);
         divergence += b.divergence;
-        divergence_max = divergence_max < b.divergence_max ? b.divergence_max : divergence_max;
+        divergence_max = larger(divergence_max, b.divergence_max);
         restart += b.restart;
         return *this;
     }
+    void take_apart(SolveSumsOf<double>* lanes) const
+    {
+        for (int l = 0; l < lane_count; ++l) {
+            lanes[l] = {count.v[l],      residual.v[l],       residual_max.v[l],
+                        divergence.v[l], divergence_max.v[l], restart.v[l]};
+        }
+    }
 };
+using SolveSums = SolveSumsOf<double>;
 
 /// DFSPH factor (Bender and Koschier 2015); 0 for a body without neighbours:
 ///
@@ -67,8 +76,7 @@ ANEURYSM_INLINE Real residual(const Fields<Real>& f, Index i)
 template <class Real>
 ANEURYSM_INLINE Real projected(const Fields<Real>& f, Index i)
 {
-    const Real p = f.p[i] + f.response[i] * residual(f, i);
-    return p > 0 ? p : 0;
+    return larger(f.p[i] + f.response[i] * residual(f, i), Real(0));
 }
 
 /// A body whose factor is this many times the smallest is spray: pressure could hardly move it.
@@ -191,17 +199,31 @@ struct Residuals {
 
     ANEURYSM_HD SolveSums operator()(Index i) const
     {
-        const Real r = residual(f, i);
-        const Real rate = f.rate[i];
-        const bool acts = f.alpha[i] > 0 && (f.p[i] > 0 || r > 0);
-        const auto absolute = static_cast<double>(acts ? (r < 0 ? -r : r) : Real(0));
-        const auto divergence = static_cast<double>(rate < 0 ? -rate : rate);
-        const Real p = projected(f, i);
+        return terms(f.source[i] + f.rate[i], f.rate[i], f.p[i], f.p_old[i], f.alpha[i], f.response[i]);
+    }
+    ANEURYSM_INLINE SolveSumsOf<Lanes<double>> eight(Index i, Lane lane) const
+    {
+        const Lanes<Real> rate = load(f.rate + i, lane);
+        return terms(load(f.source + i, lane) + rate, rate, load(f.p + i, lane), load(f.p_old + i, lane),
+                     load(f.alpha + i, lane), load(f.response + i, lane));
+    }
+
+private:
+    /// Of a particle or of eight; `r`: residual.
+    template <class Number>
+    ANEURYSM_INLINE static auto terms(const Number& r, const Number& rate, const Number& p,
+                                      const Number& p_old, const Number& alpha, const Number& response)
+    {
+        using Wide = decltype(widen(r));
+        const Number zero = 0;
+        const auto acts = (zero < alpha) & ((zero < p) | (zero < r));
+        const Wide residual = widen(select(acts, larger(r, zero - r), zero));
+        const Wide divergence = widen(larger(rate, zero - rate));
+        const Number next = larger(p + response * r, zero);
         // weighed by 1/alpha, up to a constant
-        const auto momentum = static_cast<double>(p - f.p_old[i]);
-        const auto step = static_cast<double>(f.p[i] - p);
-        const double uphill = f.alpha[i] > 0 ? step * momentum / static_cast<double>(f.alpha[i]) : 0;
-        return {1, absolute, absolute, divergence, divergence, uphill};
+        const Wide uphill = widen(p - next) * widen(next - p_old) / widen(alpha);
+        const Wide restart = select(zero < alpha, uphill, Wide(0));
+        return SolveSumsOf<Wide>{Wide(1), residual, residual, divergence, divergence, restart};
     }
 };
 

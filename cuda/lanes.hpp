@@ -76,6 +76,26 @@ ANEURYSM_INLINE Lanes<T>& operator-=(Lanes<T>& a, const Lanes<T>& b)
     return a = a - b;
 }
 
+// One number alone, for code that takes either.
+template <class T>
+ANEURYSM_INLINE T select(bool m, T a, T b)
+{
+    return m ? a : b;
+}
+ANEURYSM_INLINE double widen(float a)
+{
+    return static_cast<double>(a);
+}
+ANEURYSM_INLINE double widen(double a)
+{
+    return a;
+}
+template <class Number>
+ANEURYSM_INLINE Number larger(const Number& a, const Number& b)
+{
+    return select(a < b, b, a);
+}
+
 template <class Real>
 ANEURYSM_INLINE Vec3T<Real> sum(const Vec3T<Lanes<Real>>& a, Lane lane)
 {

@@ -50,6 +50,7 @@ ANEURYSM_OPERATOR(-, T, a[l] - b[l])
 ANEURYSM_OPERATOR(*, T, a[l] * b[l])
 ANEURYSM_OPERATOR(/, T, a[l] / b[l])
 ANEURYSM_OPERATOR(&, T, a[l] & b[l])
+ANEURYSM_OPERATOR(|, T, a[l] | b[l])
 ANEURYSM_OPERATOR(<, Index, a[l] < b[l] ? -1 : 0)
 ANEURYSM_OPERATOR(>=, Index, a[l] >= b[l] ? -1 : 0)
 ANEURYSM_OPERATOR(!=, Index, a[l] != b[l] ? -1 : 0)
@@ -122,6 +123,24 @@ ANEURYSM_INLINE Mask operator!=(const Lanes<T>& a, const Lanes<T>& b)
 ANEURYSM_INLINE Mask operator&(const Mask& a, const Mask& b)
 {
     return {a.v & b.v};
+}
+ANEURYSM_INLINE Mask operator|(const Mask& a, const Mask& b)
+{
+    return {a.v | b.v};
+}
+/// The same numbers in double.
+template <class T>
+ANEURYSM_INLINE Lanes<double> widen(const Lanes<T>& a)
+{
+#ifndef ANEURYSM_NO_SIMD
+    return __builtin_convertvector(a.v, Eight<double>);
+#else
+    Lanes<double> r;
+    for (int l = 0; l < lane_count; ++l) {
+        r.v[l] = static_cast<double>(a.v[l]);
+    }
+    return r;
+#endif
 }
 
 template <class T>
