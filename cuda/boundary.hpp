@@ -2,6 +2,7 @@
 // Section 3.5: boundary conditions, (25)-(28), and the collision handling of Fig. 1.
 #pragma once
 
+#include "common/portable_math.hpp"
 #include "common/scenario.hpp"
 #include "cuda/lanes.hpp"
 
@@ -35,7 +36,7 @@ inline double inlet_velocity(const Scenario& scenario, double t)
 {
     const double v_0 = scenario.inlet.peak_velocity_m_s;
     const double T = scenario.inlet.cycle_s;
-    const double sine = std::sin(2 * std::numbers::pi * t / T);
+    const double sine = aneurysm::sine(2 * std::numbers::pi * t / T);
     switch (scenario.inlet.waveform) {
     case Waveform::sine:
         return v_0 * sine;

@@ -2,6 +2,7 @@
 // Section 3.5: boundary conditions, (25)-(28), and the collision handling of Fig. 1.
 #pragma once
 
+#include "common/portable_math.hpp"
 #include "common/scenario.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ inline double inlet_velocity(Waveform waveform, double v_0, double T, double t,
                              const std::vector<double>& table_time,
                              const std::vector<double>& table_velocity_m_s)
 {
-    const double sine = std::sin(2 * std::numbers::pi * t / T);
+    const double sine = aneurysm::sine(2 * std::numbers::pi * t / T);
     switch (waveform) {
     case Waveform::sine:
         return v_0 * sine;
