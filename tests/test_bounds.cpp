@@ -6,6 +6,7 @@
 #include "tests/vessels.hpp"
 #include "verification/inexact.hpp"
 #include "verification/kernel_bounds.hpp"
+#include "verification/opening_bounds.hpp"
 #include "verification/wall_bounds.hpp"
 
 #include <numbers>
@@ -161,4 +162,66 @@ BOOST_AUTO_TEST_CASE(bounds_leave_decisions_open_within_rounding_only)
     BOOST_TEST(((Truth::open && Truth::no) == Truth::no));
     BOOST_TEST(((Truth::open && Truth::yes) == Truth::open));
     BOOST_TEST(((!Truth::open) == Truth::open));
+}
+
+namespace
+{
+
+/// Two particles at the first outlet, before and after an exchange.
+struct AtTheOutlet {
+    Scenario scenario = shipped_scenario("quick");
+    Vessel vessel = make_vessel(scenario);
+    WallBounds wall{vessel, scenario, in_float};
+    OpeningBounds openings{scenario, wall, 0.1, in_float};
+    Particles before;
+    Particles after;
+    ParticleErrors errors{2};
+
+    /// `beyond`: how far outside the plane [m].
+    AtTheOutlet(double beyond, Kind first, Kind second)
+    {
+        const Opening& end = vessel.openings()[1];
+        before.position = {end.center + beyond * end.outward, end.center + 0.15 * end.outward};
+        before.velocity.resize(2);
+        before.pressure.resize(2);
+        before.kind = {first, second};
+        after = before;
+    }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(bounds_let_blood_on_the_plane_be_a_ghost_or_not)
+{
+    AtTheOutlet on(0, Kind::fluid, Kind::outlet_1);
+    on.openings.exchange(on.before, on.after, on.errors);
+    BOOST_TEST((on.errors.other_kind[0] == Kind::outlet_1));
+    BOOST_TEST(!on.errors.other_kind[1].has_value());
+    BOOST_TEST(on.errors.other_counts.outlet_out == 1);
+    BOOST_TEST(!on.errors.exchange_open);
+    AtTheOutlet inside(-1e-5, Kind::fluid, Kind::outlet_1);
+    inside.openings.exchange(inside.before, inside.after, inside.errors);
+    BOOST_TEST(!inside.errors.other_kind[0].has_value());
+}
+
+BOOST_AUTO_TEST_CASE(bounds_leave_open_what_a_ghost_on_the_plane_does)
+{
+    AtTheOutlet on(0, Kind::outlet_1, Kind::outlet_1);
+    on.openings.exchange(on.before, on.after, on.errors);
+    BOOST_TEST(on.errors.exchange_open);
+    AtTheOutlet outside(1e-5, Kind::outlet_1, Kind::outlet_1);
+    outside.openings.exchange(outside.before, outside.after, outside.errors);
+    BOOST_TEST(!outside.errors.exchange_open);
+}
+
+BOOST_AUTO_TEST_CASE(bounds_of_a_new_ghost_are_those_of_the_one_that_it_follows)
+{
+    AtTheOutlet e(-0.01, Kind::outlet_1, Kind::inlet); // the second has left the inlet's slab
+    e.after.kind = {Kind::fluid, Kind::outlet_1};
+    e.after.position[1] = e.before.position[0] + 0.3 * e.vessel.openings()[1].outward;
+    e.errors.velocity = {7, 1};
+    e.errors.position = {5, 1};
+    e.openings.exchange(e.before, e.after, e.errors);
+    BOOST_TEST(e.errors.velocity[1] == 7);
+    BOOST_TEST(e.errors.position[1] > 5);
 }

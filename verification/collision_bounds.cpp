@@ -74,8 +74,10 @@ void CollisionBounds::bound_one(std::size_t i, const Particles& p, const referen
     const Truth out = wall.breach ? contains(*wall.breach, x, rounding_) : Truth::no;
     const Truth escapes = beyond && inside && out;
     if (escapes == Truth::open) {
-        errors.exchange_open = true;
-        errors.open[i] = true;
+        const Vessel& vessel = wall_->vessel();
+        const bool escaped = vessel.wall(p.position[i], wall.radius).value > 0 &&
+                             vessel.between_openings(p.position[i]) && wall.breach->contains(p.position[i]);
+        errors.may_become(i, escaped ? Kind::fluid : Kind::escaped, &Ledger::escaped);
     }
     const Truth collides = beyond && inside && !out;
     if (collides == Truth::no) {

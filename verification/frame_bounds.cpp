@@ -57,7 +57,9 @@ void FrameBounds::see(FlowStage stage, double t, const SimulationState& state, c
     switch (stage) {
     case FlowStage::begun:
         // A kind that rounding decides in one step makes the next step's sums undecided.
-        errors_->frame_open = errors_->frame_open || errors_->exchange_open;
+        errors_->frame_open =
+            errors_->frame_open || errors_->exchange_open ||
+            std::ranges::any_of(errors_->other_kind, [](const auto& k) { return k.has_value(); });
         begun_ = state;
         if (!frame_ghosts_) {
             frame_ghosts_ = ghosts_.at(wall);
@@ -131,7 +133,7 @@ FrameRange FrameBounds::finish(const SimulationState& start, const SimulationSta
                                const FrameRecord& record)
 {
     if (breach_) {
-        openings_.recycle(last_.particles, *breach_, kernel_.support(), *errors_);
+        openings_.recycle(last_.particles, end.particles, *breach_, kernel_.support(), *errors_);
     }
     FrameRange range;
     record_.finish(record, *errors_, openings_.inlet_velocity(time_), range.low, range.high);

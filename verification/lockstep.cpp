@@ -193,14 +193,14 @@ void Lockstep::check_particles(const Pair& pair, Extent extent, FrameCheck& chec
     for (std::size_t i = 0; i < q.size(); ++i) {
         const auto index = static_cast<std::int64_t>(i);
         if (extent == Extent::all) {
-            check.field("kind").add(p.kind[i] == q.kind[i] ? 0 : 1, 0, index);
+            check.field("kind").add(p.kind[i] == q.kind[i] || p.kind[i] == e.other_kind[i] ? 0 : 1, 0, index);
         } else if (p.kind[i] != q.kind[i] || q.kind[i] != pair.start.particles.kind[i]) {
             continue;
         }
         check.field("density [kg/m^3]")
             .add(std::abs(pair.candidate_density[i] - pair.reference_density[i]),
                  rounding_.absolute(e.density[i]), index);
-        if (q.kind[i] != Kind::reserve) {
+        if (q.kind[i] != Kind::reserve && p.kind[i] != Kind::reserve) {
             check.field("position [m]")
                 .add(length(p.position[i] - q.position[i]), rounding_.absolute(e.position[i]), index);
             check.field("velocity [m/s]")

@@ -228,15 +228,31 @@ void OpeningBounds::hold_back(const Particles& p, std::size_t k, ParticleErrors&
     }
 }
 
-/// Whether rounding decides on which side of a plane of the exchange particle i is.
-bool OpeningBounds::may_cross(const Particles& p, std::size_t i, const ParticleErrors& errors) const
+/// Blood at an open end becomes a ghost or not. Blood that was held back lies on the very plane.
+void OpeningBounds::cross(const Particles& before, const Particles& after, std::size_t i,
+                          ParticleErrors& errors) const
 {
-    const InexactVec x = inexact(p.position[i], errors.position[i]);
-    if (p.kind[i] == Kind::fluid) {
-        return wall_->is_beyond_nearest(x, {}) == Truth::open;
+    const InexactVec x = inexact(before.position[i], errors.position[i]);
+    if (wall_->is_beyond_nearest(x, {}) != Truth::open) {
+        return;
     }
+    for (std::size_t k = 0; k < ghost_kind.size(); ++k) {
+        if (is_positive(wall_->beyond(k, x), rounding_) != Truth::no &&
+            wall_->is_nearest(k, x) != Truth::no) {
+            const bool crossed = after.kind[i] == ghost_kind.at(k);
+            errors.may_become(i, crossed ? Kind::fluid : ghost_kind.at(k),
+                              k == 0 ? &Ledger::inlet_out : &Ledger::outlet_out);
+            return;
+        }
+    }
+}
+
+/// Whether rounding decides if ghost i becomes blood or leaves its slab; where others are placed depends on
+/// it.
+bool OpeningBounds::may_enter_or_leave(const Particles& p, std::size_t i, const ParticleErrors& errors) const
+{
     const auto k = static_cast<std::size_t>(std::ranges::find(ghost_kind, p.kind[i]) - ghost_kind.begin());
-    const Inexact beyond = wall_->beyond(k, x);
+    const Inexact beyond = wall_->beyond(k, inexact(p.position[i], errors.position[i]));
     const double depth = opening_layers * dx_;
     const Truth enters = !is_positive(beyond, rounding_);
     return enters == Truth::open ||
@@ -265,32 +281,36 @@ void OpeningBounds::exchange(const Particles& before, const Particles& after, Pa
     double position = 0;
     double velocity = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const bool ghost = is_ghost(before.kind[i]);
-        if ((ghost || before.kind[i] == Kind::fluid) && may_cross(before, i, errors)) {
+        if (before.kind[i] == Kind::fluid) {
+            cross(before, after, i, errors);
+        }
+        if (!is_ghost(before.kind[i])) {
+            continue;
+        }
+        if (may_enter_or_leave(before, i, errors)) {
             errors.exchange_open = true;
             errors.open[i] = true;
         }
-        if (ghost && after.kind[i] == Kind::fluid) {
+        if (after.kind[i] == Kind::fluid) {
             position = std::max(position, errors.position[i]);
             velocity = std::max(velocity, errors.velocity[i]);
         }
     }
     // A new ghost is placed a slab's depth behind one that entered and has its velocity; which of them is
-    // the reserve's business, so the largest error of all counts.
+    // the reserve's business, so the largest error of all counts. It may have been another ghost that left.
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const bool moved = before.position[i] != after.position[i];
-        const bool fresh = before.kind[i] == Kind::reserve && is_ghost(after.kind[i]);
-        if (fresh || (moved && is_ghost(before.kind[i]))) {
-            errors.position[i] = (fresh ? position : errors.position[i]) + length(after.position[i]) +
-                                 5 * opening_layers * dx_;
-            errors.velocity[i] = fresh ? velocity : errors.velocity[i];
+        if (is_ghost(after.kind[i]) && before.position[i] != after.position[i]) {
+            errors.position[i] =
+                std::max(position, errors.position[i]) + length(after.position[i]) + 5 * opening_layers * dx_;
+            errors.velocity[i] = std::max(velocity, errors.velocity[i]);
         }
     }
 }
 
-void OpeningBounds::recycle(const Particles& p, const Vec3& breach, double support,
-                            ParticleErrors& errors) const
+void OpeningBounds::recycle(const Particles& before, const Particles& after, const Vec3& breach,
+                            double support, ParticleErrors& errors) const
 {
+    const Particles& p = before;
     const double far = scenario_->rupture.recycle_distance_radii * scenario_->vessel.radius_m;
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (p.kind[i] != Kind::escaped) {
@@ -301,8 +321,8 @@ void OpeningBounds::recycle(const Particles& p, const Vec3& breach, double suppo
         const Truth is_far = is_positive(norm(x - rounded(breach)) - rounded(far), rounding_);
         if (at_an_end != Truth::yes && is_far != Truth::yes &&
             (at_an_end == Truth::open || is_far == Truth::open)) {
-            errors.exchange_open = true;
-            errors.open[i] = true;
+            const bool recycled = after.kind[i] == Kind::reserve;
+            errors.may_become(i, recycled ? Kind::escaped : Kind::reserve, &Ledger::recycled);
         }
     }
 }

@@ -28,8 +28,9 @@ public:
     void hold(const SimulationState& moved, double t, ParticleErrors& errors) const;
     /// The exchange, from the state after collisions to the one after it.
     void exchange(const Particles& before, const Particles& after, ParticleErrors& errors) const;
-    /// Escaped blood that returns to the reserve at the end of a frame.
-    void recycle(const Particles& p, const Vec3& breach, double support, ParticleErrors& errors) const;
+    /// Escaped blood that returns to the reserve at the end of a frame: `after`.
+    void recycle(const Particles& before, const Particles& after, const Vec3& breach, double support,
+                 ParticleErrors& errors) const;
 
 private:
     Inexact outlet_velocity(const SimulationState& begun, std::size_t k, double e_previous,
@@ -38,7 +39,8 @@ private:
                       ParticleErrors& errors) const;
     void push(const Particles& p, const Inexact& v_inlet, ParticleErrors& errors) const;
     void hold_back(const Particles& p, std::size_t k, ParticleErrors& errors) const;
-    bool may_cross(const Particles& p, std::size_t i, const ParticleErrors& errors) const;
+    void cross(const Particles& before, const Particles& after, std::size_t i, ParticleErrors& errors) const;
+    bool may_enter_or_leave(const Particles& p, std::size_t i, const ParticleErrors& errors) const;
     bool is_taken_open(const Particles& p, std::size_t i, const ParticleErrors& errors) const;
 
     const Scenario* scenario_;

@@ -224,6 +224,16 @@ void RecordBounds::finish(const FrameRecord& record, const ParticleErrors& error
     high.collisions = collisions_.collisions_possible;
     low.outside = collisions_.outside_certain;
     high.outside = collisions_.outside_possible;
+    const Ledger& other = errors.other_counts;
+    for (const auto count : {&Ledger::inlet_out, &Ledger::outlet_out, &Ledger::escaped, &Ledger::recycled}) {
+        low.ledger.*count -= other.*count;
+        high.ledger.*count += other.*count;
+    }
+    const std::int64_t blood = other.inlet_out + other.outlet_out + other.escaped;
+    low.fluid -= blood;
+    high.fluid += blood;
+    low.active -= other.recycled;
+    high.active += other.recycled;
 }
 
 } // namespace aneurysm::verification
