@@ -170,12 +170,45 @@ def check_checkpoints(directory):
     refused(directory, again, [run / "frames.csv", "fewer lines"])
 
 
+def check_comparisons(directory):
+    quick = data / "scenarios/quick.json"
+    refused(directory, ["compare"], ["SCENARIO"])
+    refused(directory, ["compare", quick, "--candidate", "x"], ["--candidate", "x"])
+    refused(directory, ["compare", quick, "--precision", "half"], ["--precision", "half"])
+    refused(directory, ["compare", quick, "--precision", "float"], ["--precision", "float"])
+    refused(directory, ["compare", quick, "--mode", "x"], ["--mode", "x"])
+    refused(directory, ["compare", quick, "--frames", "0"], ["--frames", "0"])
+    refused(directory, ["compare", quick, "--from", "-1"], ["--from", "-1"])
+    refused(directory, ["compare", quick, "--from", "100000"], ["--from", "100000"])
+    refused(directory, ["compare", quick, "--ensemble", "2"], ["--ensemble", "2"])
+    refused(directory, ["compare", quick, "--record", "x.csv"], ["--record", "lockstep"])
+    refused(directory, ["compare", quick, "--report", directory / "no/x.json"], ["--report", "no"])
+    (directory / "scenarios").mkdir()
+    scenario = directory / "scenarios/copy.json"
+    scenario.write_text(json.dumps({"base": str(quick), "name": "copy", "description": "a test"}))
+    bits = ["compare", scenario, "--candidate", "cpu", "--precision", "float", "--threads", "1", "--mode", "bits"]
+    refused(directory, bits, ["--mode bits", "hashes/copy.float.csv"])
+    (directory / "hashes").mkdir()
+    hashes = directory / "hashes/copy.float.csv"
+    subprocess.run([program, *map(str, bits), "--frames", "2", "--record", hashes], capture_output=True)
+    text = hashes.read_text()
+    flipped = text[:-2] + ("0" if text[-2] != "0" else "1") + "\n"
+    for content, code in [(text, 0), (flipped, 3)]:
+        hashes.write_text(content)
+        report = directory / "report.json"
+        done = subprocess.run([program, *map(str, bits), "--frames", "2", "--report", report], capture_output=True)
+        expect(done.returncode == code, f"exit code {code} expected: {done.returncode}, {done.stdout}")
+        expect(json.loads(report.read_text())["passed"] == (code == 0), "the verdict expected in the report")
+    hashes.write_text(text.replace("scenario_hash ", "scenario_hash 0"))
+    refused(directory, bits, [hashes, "line 2", "another scenario"])
+
+
 for scenario in sorted((data / "scenarios").glob("*.json")):
     errors = [error.message for error in validator.iter_errors(json.loads(scenario.read_text()))]
     expect(not errors, f"{scenario}: {errors}")
     done = subprocess.run([program, "info", scenario], capture_output=True, text=True)
     expect(done.returncode == 0 and done.stderr == "", f"{scenario}: {done.stderr}")
-for check in (check_files, check_arguments, check_checkpoints):
+for check in (check_files, check_arguments, check_checkpoints, check_comparisons):
     with tempfile.TemporaryDirectory() as scratch:
         check(pathlib.Path(scratch))
 print("\n".join(failures))

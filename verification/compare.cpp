@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "output/file.hpp"
+#include "verification/backend_for.hpp"
 #include "verification/bits.hpp"
 #include "verification/free_run.hpp"
 #include "verification/hash_file.hpp"
@@ -44,8 +45,11 @@ void check(const CompareOptions& options)
     const std::string& mode = options.mode;
     require(mode == "lockstep" || mode == "free" || mode == "bits", "--mode", "unknown (" + mode + ")",
             "allowed: lockstep, free, bits");
-    require(options.frames >= 0, "--frames", "out of range (" + std::to_string(options.frames) + ")",
-            "allowed: at least 1");
+    const std::string& name = options.candidate.name;
+    require(name == "reference" || name == "cpu" || name == "cuda", "--candidate", "unknown (" + name + ")",
+            "allowed: reference, cpu, cuda");
+    require(options.frames.value_or(1) >= 1, "--frames",
+            "out of range (" + std::to_string(options.frames.value_or(1)) + ")", "allowed: at least 1");
     require(options.from >= 0, "--from", "out of range (" + std::to_string(options.from) + ")",
             "allowed: at least 0");
     require(options.ensemble >= 3, "--ensemble", "out of range (" + std::to_string(options.ensemble) + ")",
@@ -65,7 +69,7 @@ class Comparison
 public:
     explicit Comparison(const CompareOptions& options)
         : options_(options), scenario_(read_scenario(options.scenario)), hash_(scenario_hash(scenario_)),
-          frames_(options.frames > 0 ? options.frames : scenario_.time.frames - options.from)
+          frames_(options.frames.value_or(scenario_.time.frames - options.from))
     {
         require(frames_ >= 1, "--from",
                 "the scenario has no frame after it (" + std::to_string(options.from) + ")",
@@ -73,7 +77,7 @@ public:
         if (options.mode == "bits") {
             find_oracles();
         }
-        candidate_ = make_backend(options.candidate, scenario_, std::nullopt);
+        candidate_ = make_backend_for(options.scenario, options.candidate, scenario_, std::nullopt);
     }
 
     ComparisonResult run();
@@ -104,7 +108,8 @@ void Comparison::find_oracles()
     const BackendChoice& candidate = options_.candidate;
     const bool is_twin = candidate.name == "cpu" && candidate.threads == 1;
     if (candidate.name != "reference" && !is_twin) {
-        twin_ = make_backend({"cpu", candidate.precision, 1, 0}, scenario_, std::nullopt);
+        twin_ =
+            make_backend_for(options_.scenario, {"cpu", candidate.precision, 1, 0}, scenario_, std::nullopt);
     }
     const std::filesystem::path file = hash_file(options_.scenario, scenario_, candidate.precision);
     // The reference's bits are its own.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace aneurysm::verification
@@ -13,12 +14,12 @@ namespace aneurysm::verification
 struct CompareOptions {
     std::filesystem::path scenario;
     BackendChoice candidate;
-    std::string mode = "lockstep"; ///< lockstep, free, bits
-    std::int64_t frames = 0;       ///< to compare; 0: the scenario's
-    std::int64_t from = 0;         ///< the candidate makes this many frames first
-    int ensemble = 8;              ///< members, in mode free
-    std::filesystem::path record;  ///< file for the candidate's hashes, in mode bits; empty: none
-    std::filesystem::path report;  ///< JSON; empty: none
+    std::string mode = "lockstep";      ///< lockstep, free, bits
+    std::optional<std::int64_t> frames; ///< to compare, instead of up to the scenario's last
+    std::int64_t from = 0;              ///< the candidate makes this many frames first
+    int ensemble = 8;                   ///< members, in mode free
+    std::filesystem::path record;       ///< file for the candidate's hashes, in mode bits; empty: none
+    std::filesystem::path report;       ///< JSON; empty: none
 };
 
 /// `aneurysm compare`: a candidate against the reference. Prints a table and the verdict.

@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "output/frames.hpp"
 #include "output/run_directory.hpp"
+#include "verification/backend_for.hpp"
 #include "verification/interrupt.hpp"
 #include "verification/progress.hpp"
 #include "verification/summary.hpp"
@@ -81,25 +82,6 @@ Start make_start(const RunOptions& options)
                          "needed: more than " + std::to_string(done));
     }
     return start;
-}
-
-/// The sampling code finds contradictions that need the geometry; it doesn't know the file's name.
-std::unique_ptr<Backend> make_backend_for(const RunOptions& options, const Start& start)
-{
-    std::optional<SimulationState> state;
-    if (start.checkpoint) {
-        state = start.checkpoint->state;
-    }
-    try {
-        return make_backend(options.backend, start.scenario, std::move(state));
-    } catch (const InputError& error) {
-        const std::string text = error.what();
-        const auto end = text.find("; ");
-        if (text.starts_with("--") || end == std::string::npos) {
-            throw;
-        }
-        throw InputError(options.scenario.string(), text.substr(0, end), text.substr(end + 2));
-    }
 }
 
 /// Frames, one after the other, with all that is written on the way.
@@ -196,7 +178,9 @@ void print_summary(const Start& start, double rate)
 int run(const RunOptions& options)
 {
     const Start start = make_start(options);
-    const std::unique_ptr<Backend> backend = make_backend_for(options, start);
+    const std::unique_ptr<Backend> backend =
+        make_backend_for(options.scenario, options.backend, start.scenario,
+                         start.checkpoint ? std::optional(start.checkpoint->state) : std::nullopt);
     const output::Engine engine{options.backend.name, options.backend.precision, backend->device()};
     const InterruptWatch watch;
     RunDirectory directory = start.checkpoint ? RunDirectory::resume(start.out, *start.checkpoint, engine)
