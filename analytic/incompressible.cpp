@@ -6,7 +6,6 @@
 #include <gsl/gsl_multimin.h>
 #include <gsl/gsl_poly.h>
 
-#include <array>
 #include <numbers>
 
 namespace aneurysm::analytic
@@ -226,9 +225,10 @@ Iteration accelerated_two_bodies(const TwoBodies& bodies, double omega, double d
 
 double largest_root(double theta, double g)
 {
-    std::array<gsl_complex, 2> z;
-    gsl_poly_complex_solve_quadratic(1, -(1 + theta) * g, theta * g, &z[0], &z[1]);
-    return std::max(std::hypot(GSL_REAL(z[0]), GSL_IMAG(z[0])), std::hypot(GSL_REAL(z[1]), GSL_IMAG(z[1])));
+    gsl_complex z_0;
+    gsl_complex z_1;
+    gsl_poly_complex_solve_quadratic(1, -(1 + theta) * g, theta * g, &z_0, &z_1);
+    return std::max(std::hypot(GSL_REAL(z_0), GSL_IMAG(z_0)), std::hypot(GSL_REAL(z_1), GSL_IMAG(z_1)));
 }
 
 Estimate relaxation_limit(const Lattice& lattice)

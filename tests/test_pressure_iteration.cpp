@@ -125,8 +125,8 @@ struct Rounding {
         // times the square of the gradients' sum is at most N/m^2, so that each may be wrong by omega N
         // (N + 40) 2 u of 2 p. rho is rounded twice for each wave, and once with rho_0.
         const auto& lattice = flow.medium.lattice;
-        const double N = static_cast<double>(flow.neighbors.of(0).size());
-        const double bodies = static_cast<double>(flow.bodies.size());
+        const auto N = static_cast<double>(flow.neighbors.of(0).size());
+        const auto bodies = static_cast<double>(flow.bodies.size());
         const double of_rho = pressure_of_residual(flow, omega) * beta * rho_0 / dt *
                               rounding(2 * static_cast<double>(waves) + 2);
         once = omega * N * rounding(2 * (N + 40)) * 2 * 1.5 * start + of_rho;
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(eq03_diverges_above_the_relaxation_limit_and_not_below)
                                                                {rho_0, omega, 1, 0, 0, iterations}, p, a);
         // a residual answers to the pressures by no more than the worst mode does, and is rounded once more
         const Rounding by(flow, oracle, 1, omega, 1, start);
-        const double bodies = static_cast<double>(rho.size());
+        const auto bodies = static_cast<double>(rho.size());
         const double of_reference = (omega * worst * by.most + std::sqrt(bodies) * by.once) /
                                     Rounding::pressure_of_residual(flow, omega);
         const auto r = oracle.residual.back()[0];
