@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Programs that need nothing but the C library of the machine that they are carried to, not older than this one's.
+# A program that needs nothing but the C library of the machine that it is carried to, not older than this one's.
 # HDF5's own list of libraries is for its network driver, which no program here uses.
 set(static_libraries)
 foreach(name sz aec z)
@@ -7,8 +7,9 @@ foreach(name sz aec z)
   list(APPEND static_libraries ${ANEURYSM_LIB${name}})
 endforeach()
 set_property(TARGET hdf5::hdf5 PROPERTY INTERFACE_LINK_LIBRARIES ${static_libraries} m ${CMAKE_DL_LIBS})
-foreach(program aneurysm bench_reference bench_frames)
-  if(TARGET ${program})
-    target_link_options(${program} PRIVATE -static-libstdc++ -static-libgcc)
-  endif()
-endforeach()
+target_link_options(aneurysm PRIVATE -static-libstdc++ -static-libgcc)
+# Debian has Google Benchmark only as a shared library, which needs the C++ library's; it goes with its program.
+get_target_property(library benchmark::benchmark IMPORTED_LOCATION_NONE)
+get_target_property(name benchmark::benchmark IMPORTED_SONAME_NONE)
+file(COPY_FILE ${library} ${PROJECT_BINARY_DIR}/benchmarks/${name})
+set_property(TARGET bench_frames PROPERTY BUILD_RPATH "$ORIGIN")
