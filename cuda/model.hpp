@@ -353,7 +353,8 @@ private:
     void push_apart(double correction)
     {
         constexpr int steps = 40;
-        const std::int64_t iterations = std::min<std::int64_t>(scenario_.pressure.max_iterations, 200);
+        // Particles too many for the space have no solution: their pressures would only rise.
+        const std::int64_t iterations = std::min<std::int64_t>(scenario_.pressure.max_iterations, 25);
         for (int k = 0; k < steps; ++k) {
             with_lists([&] {
                 const F f = fields(0);
