@@ -6,6 +6,7 @@
 
 #include <cuda_runtime.h>
 
+#include <cstdlib>
 #include <memory>
 #include <source_location>
 #include <string>
@@ -82,6 +83,8 @@ inline void use_first_gpu()
         "needed: an NVIDIA GPU of compute capability 8.0 or newer and a driver for CUDA " +
         std::to_string(CUDART_VERSION / 1000) + "." + std::to_string(CUDART_VERSION % 1000 / 10) +
         ", or use --backend cpu";
+    // All code at once: what is loaded later could be loaded while a graph is recorded.
+    setenv("CUDA_MODULE_LOADING", "EAGER", 0); // NOLINT(concurrency-mt-unsafe)
     int count = 0;
     int driver = 0;
     const cudaError_t found = cudaGetDeviceCount(&count);

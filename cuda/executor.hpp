@@ -8,6 +8,7 @@
 //     reduce(n, map, s, out)    a sum of fixed shape
 //     scan(n, in, out)          exclusive prefix sums of integers
 //     sort(n, keys, ...)        stable
+//     find_starts(n, keys, ...) where each key begins in the sorted order
 //     repeat_while(go, body)    decided on the device
 //
 // Everything that is asked for is done in that order.

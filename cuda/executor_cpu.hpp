@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cuda/executor.hpp"
+#include "cuda/simulation.hpp"
 #include "cuda/team.hpp"
 
 #include <sched.h>
@@ -132,6 +133,18 @@ public:
         }
     }
 
+    /// start[k] = how many of n ascending keys are below k, for k = 0 ... end.
+    void find_starts(Index n, const Index* sorted, Index* start, Index end) const
+    {
+        for_each(n + 1, [=](Index s) {
+            const Index from = s == 0 ? 0 : sorted[s - 1] + 1;
+            const Index to = s == n ? end : sorted[s];
+            for (Index k = from; k <= to; ++k) {
+                start[k] = s;
+            }
+        });
+    }
+
     /// body() as long as *go is not 0.
     template <class Body>
     static void repeat_while(const Index* go, const Body& body)
@@ -152,8 +165,12 @@ public:
     /// Room for sorting n keys below `end`.
     void reserve_sort(Index, Index end) { starts_.resize(static_cast<std::size_t>(end) + 1); }
 
-    /// Whether gradients are kept rather than computed in every pass: reading them is cheaper here.
-    static bool keeps_gradients(Index) { return true; }
+    /// Some ten thousand particles' gradients fit into the second-level caches; beyond, reading them takes
+    /// longer than multiplying factors.
+    static Stored best_stored(Index particles)
+    {
+        return particles <= 20'000 ? Stored::gradients : Stored::factors;
+    }
 
     /// Ends the pass of this name; its time runs from the last mark.
     void mark(const char* name)

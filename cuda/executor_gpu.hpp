@@ -3,6 +3,7 @@
 
 #include "cuda/cuda_api.hpp"
 #include "cuda/executor.hpp"
+#include "cuda/simulation.hpp"
 
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
@@ -132,6 +133,28 @@ struct Counted {
     __device__ Index operator()(Index i) const { return i < extent.size() ? in[i] : 0; }
 };
 
+/// By bisection: threads that walk from one key to the next would wait for the one with the longest way.
+struct FindStart {
+    const Index* sorted;
+    Index n;
+    Index* start;
+
+    ANEURYSM_HD void operator()(Index key) const
+    {
+        Index low = 0;
+        Index high = n;
+        while (low < high) {
+            const Index middle = low + (high - low) / 2;
+            if (sorted[middle] < key) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        start[key] = low;
+    }
+};
+
 struct CountUp {
     Index* to;
 
@@ -174,15 +197,16 @@ public:
     }
     void release(void* memory, std::size_t bytes)
     {
-        cudaFree(memory); // waits for all that uses it
+        cudaStreamSynchronize(stream_); // what uses it
+        cudaFree(memory);
         bytes_ -= bytes;
     }
     template <class T>
     void upload(T* device, const T* host, std::size_t count)
     {
-        // The host's memory is pageable, and copied before this returns.
         check(cudaMemcpyAsync(device, host, count * sizeof(T), cudaMemcpyHostToDevice, stream_),
               "cudaMemcpyAsync to the device");
+        check(cudaStreamSynchronize(stream_), "cudaStreamSynchronize"); // the caller may reuse its memory
     }
     template <class T>
     void download(T* host, const T* device, std::size_t count) const
@@ -241,6 +265,12 @@ public:
               "cub::DeviceRadixSort::SortPairs");
     }
 
+    /// start[k] = how many of n ascending keys are below k, for k = 0 ... end.
+    void find_starts(Index n, const Index* sorted, Index* start, Index end)
+    {
+        for_each(end + 1, FindStart{sorted, n, start});
+    }
+
     /// body() as long as *go is not 0: decided on the device in what is recorded, else by the host.
     template <class Body>
     void repeat_while(const Index* go, const Body& body)
@@ -259,8 +289,8 @@ public:
         }
     }
 
-    /// Runs what body() asks for: at first as it is, which loads all code that it needs; then recorded as one
-    /// graph, which later calls replay.
+    /// Runs what body() asks for: the first time as it is, so that nothing is set up while it is recorded;
+    /// then recorded as one graph, which later calls replay.
     template <class Body>
     void run_recorded(const Body& body)
     {
@@ -297,7 +327,10 @@ public:
     /// Whether gradients are kept rather than computed in every pass. Each particle has about 40 places in
     /// its list, that is 480 bytes of gradients in float: up to this many particles they stay in the level 2
     /// cache (A100: 40 MB, H100: 50 MB), from there reading them costs more than computing them.
-    static bool keeps_gradients(Index particles) { return particles <= 60'000; }
+    static Stored best_stored(Index particles)
+    {
+        return particles <= 60'000 ? Stored::gradients : Stored::nothing;
+    }
 
     /// Passes of a graph can't be told apart.
     static void mark(const char*) {}

@@ -23,22 +23,6 @@ struct Keys {
     }
 };
 
-/// First place of each key in the sorted order; the last is the number of particles.
-template <class Real>
-struct Starts {
-    Fields<Real> f;
-
-    ANEURYSM_HD void operator()(Index s) const // 0 .. particles
-    {
-        const Index end = 2 * f.c.grid.cells() + 1;
-        const Index from = s == 0 ? 0 : f.sorted_key[s - 1] + 1;
-        const Index to = s == f.c.particles ? end : f.sorted_key[s];
-        for (Index k = from; k <= to; ++k) {
-            f.start[k] = s;
-        }
-    }
-};
-
 /// Bodies in a row of cells along x.
 struct Range {
     Index begin;
