@@ -9,6 +9,7 @@
 #include "verification/opening_bounds.hpp"
 #include "verification/wall_bounds.hpp"
 
+#include <array>
 #include <numbers>
 
 using namespace aneurysm;
@@ -94,7 +95,7 @@ bool kernel_fits(double scale_of_h)
         gradient.add(length(wide(single.gradient(a - b)) - kernel.gradient(x)), pair.grad_W_error);
         laplacian.add(std::abs(lap - reference::viscosity_laplacian(r, 2 * h)), pair.lap_W_error);
     }
-    const bool fit[] = {value.fits(), gradient.fits(), laplacian.fits()};
+    const std::array fit{value.fits(), gradient.fits(), laplacian.fits()};
     return fit[0] && fit[1] && fit[2];
 }
 
@@ -108,7 +109,7 @@ bool wall_fits(double radius_scale)
     for_all_vessels([&](const Scenario& scenario, const Vessel& vessel) {
         const VesselT<float> single(vessel);
         const WallBounds bounds(vessel, scenario, in_float);
-        const float R = static_cast<float>(0.7 * vessel.largest_radius());
+        const auto R = static_cast<float>(0.7 * vessel.largest_radius());
         for (int n = 0; n < 500; ++n) {
             const Vec3T<float> x = narrow(random.point(2));
             if (std::abs(vessel.wall(wide(x), R).value) > 0.2) {
@@ -123,7 +124,7 @@ bool wall_fits(double radius_scale)
         }
         return true;
     });
-    const bool fit[] = {value.fits(), gradient.fits(), plane.fits()};
+    const std::array fit{value.fits(), gradient.fits(), plane.fits()};
     return fit[0] && fit[1] && fit[2];
 }
 

@@ -12,7 +12,7 @@ namespace aneurysm::verification
 void FieldCheck::add(double difference, double bound, std::int64_t index)
 {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    double r = difference == 0 && bound >= 0 ? 0 : difference / bound;
+    double r = difference == 0 && bound >= 0 ? 0.0 : difference / bound;
     if (!(difference <= bound) || !std::isfinite(bound)) {
         ++failed;
         r = std::isfinite(r) && r > 1 ? r : infinite;

@@ -33,7 +33,7 @@ double particle_mass(const Scenario& scenario, double dx)
 } // namespace
 
 FrameBounds::FrameBounds(const Scenario& scenario, const Vessel& vessel, double dx, const Rounding& rounding)
-    : scenario_(&scenario), rounding_(rounding), dx_(dx),
+    : scenario_(&scenario), rounding_(rounding),
       kernel_(scenario.kernel.function, smoothing_length(scenario, dx)), wall_(vessel, scenario, rounding),
       ghosts_(scenario, wall_, dx, kernel_.support(), particle_mass(scenario, dx), rounding),
       openings_(scenario, wall_, dx, rounding), collisions_(wall_, dx, rounding),

@@ -46,7 +46,6 @@ private:
 
     const Scenario* scenario_;
     Rounding rounding_;
-    double dx_;
     reference::Kernel kernel_;
     WallBounds wall_;
     GhostBounds ghosts_;

@@ -86,7 +86,7 @@ private:
     void solve_alone(const SimulationState& start);
     FrameCheck check(const Pair& pair, const FrameRange& range, Extent extent);
     void check_particles(const Pair& pair, Extent extent, FrameCheck& check) const;
-    void check_record(const Pair& pair, const FrameRange& range, Extent extent, FrameCheck& check) const;
+    static void check_record(const Pair& pair, const FrameRange& range, Extent extent, FrameCheck& check);
     void check_impact(const FrameRecord& record, const FrameRange& range, FrameCheck& check) const;
     void check_state(const Pair& pair, const FrameRange& range, FrameCheck& check) const;
     void check_solve(const Pair& pair, const FrameRange& range, FrameCheck& check);
@@ -213,7 +213,7 @@ void Lockstep::check_particles(const Pair& pair, Extent extent, FrameCheck& chec
     }
 }
 
-void Lockstep::check_record(const Pair& pair, const FrameRange& range, Extent extent, FrameCheck& check) const
+void Lockstep::check_record(const Pair& pair, const FrameRange& range, Extent extent, FrameCheck& check)
 {
     const std::vector<Column> value = columns_of(pair.candidate_record);
     const std::vector<Column> expected = columns_of(pair.reference_record);
