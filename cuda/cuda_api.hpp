@@ -8,7 +8,6 @@
 
 #include <cstdlib>
 #include <memory>
-#include <source_location>
 #include <string>
 #include <type_traits>
 
@@ -24,18 +23,18 @@ inline std::string gpu_name()
 }
 
 /// \throws Error that names device, call, place and cause when `result` is no success
-inline void check(cudaError_t result, const std::string& call,
-                  const std::source_location& at = std::source_location::current())
+inline void check(cudaError_t result, const std::string& call, const char* path = __builtin_FILE(),
+                  int line = __builtin_LINE())
 {
     if (result == cudaSuccess) {
         return;
     }
-    std::string file = at.file_name();
+    std::string file = path;
     file.erase(0, file.rfind('/') + 1);
     const bool memory = result == cudaErrorMemoryAllocation;
     throw Error(gpu_name(),
-                call + " failed at " + file + ":" + std::to_string(at.line()) + ": " +
-                    cudaGetErrorString(result) + " (" + cudaGetErrorName(result) + ")",
+                call + " failed at " + file + ":" + std::to_string(line) + ": " + cudaGetErrorString(result) +
+                    " (" + cudaGetErrorName(result) + ")",
                 memory ? "fewer particles, single precision, or a GPU with more free memory"
                        : "if it happens again, --backend cpu gives the same bits");
 }

@@ -352,7 +352,7 @@ private:
     cudaError_t sort_all(void* temporary, std::size_t& bytes, Index n, const Index* keys, Index* sorted,
                          Index* order, Index end)
     {
-        const int bits = std::bit_width(static_cast<unsigned>(end - 1));
+        const auto bits = static_cast<int>(std::bit_width(static_cast<unsigned>(end - 1)));
         return cub::DeviceRadixSort::SortPairs(temporary, bytes, keys, sorted, places_.get(), order, n, 0,
                                                bits, stream_);
     }
