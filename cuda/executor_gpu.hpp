@@ -3,7 +3,6 @@
 
 #include "cuda/cuda_api.hpp"
 #include "cuda/executor.hpp"
-#include "cuda/simulation.hpp"
 
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
@@ -327,10 +326,7 @@ public:
     /// Whether gradients are kept rather than computed in every pass. Each particle has about 40 places in
     /// its list, that is 480 bytes of gradients in float: up to this many particles they stay in the level 2
     /// cache (A100: 40 MB, H100: 50 MB), from there reading them costs more than computing them.
-    static Stored best_stored(Index particles)
-    {
-        return particles <= 60'000 ? Stored::gradients : Stored::nothing;
-    }
+    static bool keeps_gradients(Index particles) { return particles <= 60'000; }
 
     /// Passes of a graph can't be told apart.
     static void mark(const char*) {}

@@ -98,7 +98,7 @@ public:
           const std::optional<SimulationState>& state)
         : executor_(std::move(executor)), scenario_(scenario), setup_(scenario, state),
           n_(static_cast<Index>(scenario.particles.count)),
-          arrays_(executor_, scenario, setup_, tuning.stored), sums_(executor_, n_),
+          arrays_(executor_, scenario, setup_, tuning.gradients), sums_(executor_, n_),
           state_(state ? *state : initial_state(scenario, setup_.lattice, setup_.particle_mass))
     {
         executor_.reserve_sort(n_, 2 * arrays_.fields().c.grid.cells() + 1);
@@ -263,7 +263,7 @@ private:
             executor_.once(BeginSolve{arrays_.scene(), 0, 0});
             executor_.for_each_group(free_of(f), AccelerateByState<Real>{f});
             executor_.for_each(free_of(f), PrepareSolve<Real>{f});
-            executor_.for_each_group(free_of(f), Rates<Real, Stored::nothing>{f});
+            executor_.for_each_group(free_of(f), Rates<Real, false>{f});
             reduce(free_of(f), Residuals<Real>{f}, sums_.solve);
             executor_.once(
                 RecordDivergence{arrays_.scene(), sums_.solve.get(), scenario_.fluid.density_kg_m3});
@@ -292,26 +292,16 @@ private:
     }
     void evaluate(const F& f)
     {
-        switch (f.stored) {
-        case Stored::gradients:
-            evaluate_with<Stored::gradients>(f);
-            break;
-        case Stored::factors:
-            evaluate_with<Stored::factors>(f);
-            break;
-        default:
-            evaluate_with<Stored::nothing>(f);
+        if (f.gradient != nullptr) {
+            executor_.for_each_group(free_of(f), Accelerate<Real, true>{f});
+            executor_.for_each_group(free_of(f), Rates<Real, true>{f});
+        } else {
+            executor_.for_each_group(free_of(f), Accelerate<Real, false>{f});
+            executor_.for_each_group(free_of(f), Rates<Real, false>{f});
         }
         reduce(free_of(f), Residuals<Real>{f}, sums_.solve);
         executor_.once(Decide{arrays_.scene(), sums_.solve.get(), scenario_.fluid.density_kg_m3,
                               scenario_.pressure.tolerance_per_s, scenario_.pressure.max_tolerance_per_s});
-    }
-
-    template <Stored stored>
-    void evaluate_with(const F& f)
-    {
-        executor_.for_each_group(free_of(f), Accelerate<Real, stored>{f});
-        executor_.for_each_group(free_of(f), Rates<Real, stored>{f});
     }
 
     void record(const F& f)
