@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The CUDA code on an emulated GPU: the same bits as the CPU's, whatever the size of its blocks, and in
 // whatever order its threads run. What a real one does with it `verification/gpu_check.sh` shows.
+#include "common/error.hpp"
 #include "cuda/simulation.hpp"
 #include "tests/emulated_gpu/simulation.hpp"
 
@@ -181,6 +182,31 @@ BOOST_AUTO_TEST_CASE(a_sum_of_lanes_in_another_order_is_noticed)
     cpu->advance();
     emulated_gpu::misread_lanes(false);
     BOOST_TEST((gpu->state().particles.velocity != cpu->state().particles.velocity));
+}
+
+BOOST_AUTO_TEST_CASE(errors_name_device_call_place_and_cause)
+{
+    const SimulationState start = on_cpu(quick(), "float", {})->state();
+    const auto message = [&start](int block_size) -> std::string {
+        try {
+            emulated_gpu::simulate(quick(), {"float", block_size}, start);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    BOOST_TEST(message(0).empty());
+    for (const int block_size : {-32, 100, 512}) {
+        BOOST_TEST(message(block_size).starts_with("--block-size: " + std::to_string(block_size)));
+    }
+    emulated_gpu::refuse_memory(true);
+    const std::string refused = message(0);
+    emulated_gpu::refuse_memory(false);
+    BOOST_TEST_MESSAGE(refused);
+    for (const char* part : {"GPU 0 (emulated): cudaMalloc of ", " bytes failed at executor_gpu.hpp:",
+                             ": an error of the emulated GPU", "; fewer particles"}) {
+        BOOST_TEST(refused.find(part) != std::string::npos);
+    }
 }
 
 /// What a frame asks of a GPU doesn't depend on the number of particles, but for passes of the sort.

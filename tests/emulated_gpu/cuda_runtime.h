@@ -51,6 +51,8 @@ void execute(bool on);
 
 /// A fault of the GPU, to show that it is noticed: sums of lanes in another order.
 void misread_lanes(bool on);
+/// A GPU that has no memory left.
+void refuse_memory(bool on);
 
 /// What was asked for.
 struct Asked {

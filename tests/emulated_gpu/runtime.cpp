@@ -37,6 +37,7 @@ bool backwards = false;
 bool executing = true;
 bool in_kernel = false;
 bool misreading = false;
+bool refusing = false;
 Asked asked;
 std::map<cudaGraphConditionalHandle, unsigned> conditions;
 
@@ -224,6 +225,10 @@ void misread_lanes(bool on)
 {
     misreading = on;
 }
+void refuse_memory(bool on)
+{
+    refusing = on;
+}
 Asked last_asked()
 {
     const Asked last = asked;
@@ -310,7 +315,7 @@ cudaError_t cudaDeviceGetAttribute(int* value, cudaDeviceAttr, int)
 
 cudaError_t cudaMalloc(void** memory, std::size_t bytes)
 {
-    *memory = std::malloc(bytes);
+    *memory = refusing ? nullptr : std::malloc(bytes);
     return *memory != nullptr ? cudaSuccess : cudaErrorMemoryAllocation;
 }
 cudaError_t cudaFree(void* memory)
