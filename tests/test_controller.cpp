@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Section 3.4: the particle controller, which moves particles between the artery, its open ends and the
 // reserve.
+#include "common/initial_state.hpp"
 #include "tests/open_ends.hpp"
 
 using namespace aneurysm;
