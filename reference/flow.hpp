@@ -82,6 +82,13 @@ public:
     void step(SimulationState& state, const Wall& wall, double t, FrameRecord& record,
               const FlowHooks& hooks = {});
 
+    /// From now on (3) is solved to other tolerances than the scenario's [1/s].
+    void set_tolerances(double mean, double largest)
+    {
+        solver_.tolerance = mean;
+        solver_.max_tolerance = largest;
+    }
+
     /// Lets a fresh lattice find its place between the walls: overlaps are pushed apart, and while the blood
     /// stays denser than the solver's tolerance allows, the densest of it goes to the reserve: more was
     /// sampled than fits.

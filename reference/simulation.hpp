@@ -40,6 +40,10 @@ public:
     /// \throws Error when it has another number of particles or another spacing
     void restart(SimulationState state);
 
+    /// From now on (3) is solved to other tolerances than the scenario's [1/s]: an ensemble varies when the
+    /// solve stops.
+    void set_tolerances(double mean, double largest) { flow_.set_tolerances(mean, largest); }
+
     const SimulationState& state() const { return state_; }
     /// By particle, of the last flow step; rho_0 for what isn't blood [kg/m^3]
     const std::vector<double>& density() const { return flow_.density(); }

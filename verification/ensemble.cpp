@@ -75,6 +75,18 @@ void disturb(SimulationState& state, const ParticleErrors& errors, const Aneurys
     a.wall_velocity += random.number(wall.wall_velocity);
 }
 
+/// The solve of (3) stops when its residual is below the tolerance, and rounding moves the residual.
+void disturb_tolerances(reference::Simulation& simulation, const Scenario& scenario,
+                        const FrameRecord& record, const FrameRange& range, Disturbance& random)
+{
+    const auto disturbed = [&random](double tolerance, double bound) {
+        return std::max(tolerance + random.number(bound), 0.5 * tolerance);
+    };
+    simulation.set_tolerances(
+        disturbed(scenario.pressure.tolerance_per_s, range.high.residual_mean - record.residual_mean),
+        disturbed(scenario.pressure.max_tolerance_per_s, range.high.residual_max - record.residual_max));
+}
+
 /// Half the ranges of the numbers that are compared.
 FreeFrame one_frame_rounding(const FrameRange& range, const ParticleErrors& errors, const Particles& p,
                              const Rounding& rounding)
@@ -120,6 +132,7 @@ FreeRun run_member(const Scenario& scenario, SimulationState start, const std::s
             disturb(state, bounds.errors(), range.aneurysm_error, simulation.vessel().largest_radius(),
                     rounding, random);
             simulation.restart(std::move(state));
+            disturb_tolerances(simulation, scenario, record, range, random);
         }
         if (n % window == 0) {
             run.particles.push_back(p);
