@@ -89,10 +89,10 @@ inline void use_first_gpu()
     const cudaError_t found = cudaGetDeviceCount(&count);
     if (found != cudaSuccess || count == 0) {
         const bool none = cudaDriverGetVersion(&driver) != cudaSuccess || driver == 0;
-        throw Error("backend cuda",
-                    std::string("no GPU answers: ") +
-                        (none ? "there is no NVIDIA driver" : cudaGetErrorString(found)),
-                    advice);
+        throw InputError("--backend cuda",
+                         std::string("no GPU answers: ") +
+                             (none ? "there is no NVIDIA driver" : cudaGetErrorString(found)),
+                         advice);
     }
     check(cudaSetDevice(0), "cudaSetDevice");
     int major = 0;

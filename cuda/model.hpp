@@ -106,6 +106,7 @@ public:
         if (!state) {
             settle();
         }
+        stale_ = true; // what was uploaded may have been rounded
     }
 
     std::string device() const override { return executor_.device(); }

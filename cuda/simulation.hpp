@@ -61,7 +61,7 @@ public:
 std::unique_ptr<Simulation> make_cpu_simulation(const Scenario& scenario, Precision precision,
                                                 const Tuning& tuning, std::optional<SimulationState> state);
 
-/// On the first GPU. \throws Error naming device and cause when there is none, or this build has no CUDA code
+/// On the first GPU. \throws InputError when there is none, with the cause, or this build has no CUDA code
 std::unique_ptr<Simulation> make_gpu_simulation(const Scenario& scenario, Precision precision,
                                                 const Tuning& tuning, std::optional<SimulationState> state);
 

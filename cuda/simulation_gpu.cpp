@@ -9,8 +9,8 @@ namespace aneurysm::device
 std::unique_ptr<Simulation> make_gpu_simulation(const Scenario&, Precision, const Tuning&,
                                                 std::optional<SimulationState>)
 {
-    throw Error("backend cuda", "this program was built without CUDA (CMake found no nvcc)",
-                "needed: build with the CUDA Toolkit, or use --backend cpu");
+    throw InputError("--backend cuda", "this program was built without CUDA (CMake found no nvcc)",
+                     "needed: build with the CUDA Toolkit, or use --backend cpu");
 }
 
 } // namespace aneurysm::device

@@ -74,8 +74,7 @@ BOOST_AUTO_TEST_CASE(a_ghost_that_enters_becomes_blood_and_its_successor_lies_on
             artery.controller.exchange(p, ledger);
             good =
                 good && p.kind[0] == Kind::fluid && p.position[0] == entered && p.velocity[0] == v &&
-                p.pressure[0] == unset_pressure && p.kind[1] == ghosts[k] &&
-                p.kind[2] == ghosts[k] &&
+                p.pressure[0] == unset_pressure && p.kind[1] == ghosts[k] && p.kind[2] == ghosts[k] &&
                 distance(p.position[2], entered + depth * artery.opening(k).outward) <= distance_rounding &&
                 p.velocity[2] == v && blood_gained(ledger) == 1 && ledger.missed == 0 &&
                 ledger.recycled == 0 && (k == 0 ? ledger.inlet_in : ledger.outlet_in) == 1;
