@@ -247,11 +247,11 @@ std::string table(const std::vector<benchmark::BenchmarkReporter::Run>& runs, co
     return text.str();
 }
 
-/// Frames that are timed: about as many as half a minute has room for.
+/// Frames that are timed: some ten seconds of them.
 int timed_frames(const std::string& backend, std::int64_t particles)
 {
     const double per_second = backend == "reference" ? 2e5 : backend == "cpu" ? 1.5e6 : 2e8;
-    return static_cast<int>(std::clamp(20 * per_second / static_cast<double>(particles), 3.0, 1000.0));
+    return static_cast<int>(std::clamp(10 * per_second / static_cast<double>(particles), 3.0, 1000.0));
 }
 
 void register_all(const std::vector<Case>& all)

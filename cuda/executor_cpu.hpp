@@ -186,8 +186,9 @@ public:
 private:
     static constexpr std::align_val_t alignment{64};
     // Big enough that taking a chunk costs nothing, small enough that nobody waits long for the last one.
-    static constexpr Index elements_a_chunk = 1024;
-    static constexpr Index groups_a_chunk = 128;
+    static constexpr Index elements_a_chunk = 1024; ///< at least
+    static constexpr Index groups_a_chunk = 128;    ///< at least
+    static constexpr Index chunks_a_thread = 16;    ///< of a loop, at most
 
     static int available_cores()
     {
@@ -197,10 +198,11 @@ private:
         return known ? std::max(CPU_COUNT(&cores), 1) : 1;
     }
 
-    /// f(i) for each i below n, `size` of them in a chunk.
+    /// f(i) for each i below n, at least `least` of them in a chunk.
     template <class F>
-    void share(Index n, Index size, const F& f) const
+    void share(Index n, Index least, const F& f) const
     {
+        const Index size = std::max(least, n / (chunks_a_thread * team_->threads()));
         team_->run((n + size - 1) / size, [&](Index c) {
             const Index end = std::min(n, (c + 1) * size);
             for (Index i = c * size; i < end; ++i) {
