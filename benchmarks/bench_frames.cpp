@@ -230,6 +230,10 @@ std::string table(const std::vector<benchmark::BenchmarkReporter::Run>& runs, co
             text << "| " << name << " | " << number(counter(run, "GB_per_s"), 3) << " GB/s |\n";
             continue;
         }
+        if (!run.counters.contains("FPS")) {
+            text << "| " << name << " | " << number(counter(run, "ns_per_pair"), 3) << " ns a pair |\n";
+            continue;
+        }
         const auto c = std::ranges::find_if(
             all, [&](const Case& one) { return name.starts_with("frames/" + one.name + "/"); });
         const auto paper = [&](double fps) { return c != all.end() && fps > 0 ? number(fps, 4) : "-"; };
