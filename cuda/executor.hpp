@@ -74,7 +74,7 @@ ANEURYSM_HD Value join_lanes(Value* lanes)
 template <class Value, class Map>
 Value reduce_chunk(const Map& map, Index c, Index n)
 {
-    Value lanes[lane_count];
+    Value lanes[lane_count] = {};
     const Index end = (c + 1) * chunk < n ? (c + 1) * chunk : n;
     Index i = c * chunk;
     for (; i + lane_count <= end; i += lane_count) {

@@ -2,6 +2,7 @@
 // The CUDA code on an emulated GPU: the same bits as the CPU's, whatever the size of its blocks, and in
 // whatever order its threads run. What a real one does with it `verification/gpu_check.sh` shows.
 #include "common/error.hpp"
+#include "cuda/executor_cpu.hpp"
 #include "cuda/simulation.hpp"
 #include "tests/emulated_gpu/simulation.hpp"
 
@@ -9,7 +10,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -112,6 +116,87 @@ SimulationState state_before(const Scenario& scenario, const std::string& precis
 }
 
 } // namespace
+
+/// With as many digits as fit, so that another order mostly gives another sum.
+std::vector<double> long_numbers(int count, unsigned seed)
+{
+    std::mt19937_64 random(seed); // the same everywhere
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) {
+        values.push_back(std::ldexp(static_cast<double>(random() >> 11U), -53) - 0.5);
+    }
+    return values;
+}
+std::vector<int> small_numbers(int count, int end)
+{
+    std::mt19937 random(2);
+    std::vector<int> values;
+    for (int i = 0; i < count; ++i) {
+        values.push_back(static_cast<int>(random() % static_cast<unsigned>(end)));
+    }
+    return values;
+}
+
+constexpr int sizes[] = {1, 7, 8, 255, 256, 257, 5'000, 70'000}; // 70,000: sums of sums of sums
+
+double sum_on_cpu(const std::vector<double>& values, int actual)
+{
+    const device::CpuExecutor cpu(1);
+    std::vector<double> scratch(values.size() + 8);
+    double sum = 0;
+    cpu.reduce(
+        device::Extent(actual), [&values](int i) { return values[static_cast<std::size_t>(i)]; },
+        scratch.data(), &sum);
+    return sum;
+}
+
+BOOST_AUTO_TEST_CASE(sums_have_the_bits_of_the_cpus)
+{
+    for (const int n : sizes) {
+        const std::vector<double> values = long_numbers(n, 1);
+        for (const int actual : {n, n - n / 3, 0}) {
+            for (const bool backwards : {false, true}) {
+                emulated_gpu::run_backwards(backwards);
+                BOOST_TEST(emulated_gpu::sum(values, actual, 64) == sum_on_cpu(values, actual));
+            }
+        }
+    }
+    emulated_gpu::run_backwards(false);
+    int misread = 0;
+    for (unsigned seed = 1; seed <= 50; ++seed) {
+        const std::vector<double> values = long_numbers(100, seed);
+        BOOST_TEST(emulated_gpu::sum(values, 100, 64) == sum_on_cpu(values, 100));
+        emulated_gpu::misread_lanes(true);
+        misread += emulated_gpu::sum(values, 100, 64) != sum_on_cpu(values, 100) ? 1 : 0;
+        emulated_gpu::misread_lanes(false);
+    }
+    BOOST_TEST(misread > 10);
+}
+
+/// Behind the actual end stands what an earlier use left: here numbers that would spoil every total.
+BOOST_AUTO_TEST_CASE(prefix_sums_and_sorting_are_the_cpus)
+{
+    device::CpuExecutor cpu(1);
+    for (const int n : sizes) {
+        std::vector<int> values = small_numbers(n, 9);
+        const int actual = n - n / 3;
+        std::fill(values.begin() + actual, values.end(), 2'000'000'000);
+        std::vector<int> sums(values.size() + 1);
+        cpu.scan(device::Extent(actual), values.data(), sums.data());
+        const std::vector<int> of_gpu = emulated_gpu::scan(values, actual);
+        BOOST_TEST(std::equal(sums.begin(), sums.begin() + actual + 1, of_gpu.begin()));
+
+        constexpr int end = 1'000;
+        const std::vector<int> keys = small_numbers(n, end);
+        emulated_gpu::Sorted expected{keys, keys, std::vector<int>(end + 1)};
+        cpu.sort(n, keys.data(), expected.keys.data(), expected.order.data(), end);
+        cpu.find_starts(n, expected.keys.data(), expected.starts.data(), end);
+        const emulated_gpu::Sorted sorted = emulated_gpu::sort(keys, end);
+        BOOST_TEST((sorted.keys == expected.keys));
+        BOOST_TEST((sorted.order == expected.order));
+        BOOST_TEST((sorted.starts == expected.starts));
+    }
+}
 
 BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_at_the_start)
 {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace emulated_gpu
 {
@@ -30,6 +31,16 @@ struct Options {
     int block_size = 0;
     bool computes_gradients = false; ///< else as the executor likes it
 };
+/// What the executor for the GPU makes of it; of `actual` values, a number that is in device memory.
+double sum(const std::vector<double>& values, int actual, int block_size);
+std::vector<int> scan(const std::vector<int>& values, int actual);
+struct Sorted {
+    std::vector<int> keys;
+    std::vector<int> order;
+    std::vector<int> starts; ///< of each key
+};
+Sorted sort(const std::vector<int>& keys, int end);
+
 std::unique_ptr<Simulation> simulate(const aneurysm::Scenario& scenario, const Options& options,
                                      const aneurysm::SimulationState& state);
 
