@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace aneurysm::verification
+{
+
+Quantity::Quantity(std::string name, Source source, std::string derivation)
+    : name_(std::move(name)), source_(source), derivation_(std::move(derivation))
+{
+    if (derivation_.empty()) {
+        throw std::logic_error("quantity '" + name_ + "' has no derivation of its bound");
+    }
+}
+
+bool Quantity::within(double value, double expected, double allowed, std::string_view where)
+{
+    const double error = std::abs(value - expected);
+    const bool good = error <= allowed; // false for a NaN
+    const double infinite = std::numeric_limits<double>::infinity();
+    const double ratio = error == 0 && allowed >= 0         ? 0
+                         : allowed > 0 && error <= infinite ? error / allowed
+                                                            : infinite;
+    ++compared_;
+    failed_ += good ? 0 : 1;
+    if (ratio > worst_.ratio || worst_.ratio < 0) {
+        worst_ = {value, expected, error, allowed, ratio, std::string(where)};
+    }
+    return good;
+}
+
+bool Quantity::within(double value, const analytic::Estimate& expected, double relative,
+                      std::string_view where)
+{
+    return within(value, expected.value, expected.error + relative * std::abs(expected.value), where);
+}
+
+bool Quantity::within(const Vec3& value, const Vec3& expected, double allowed, std::string_view where)
+{
+    const bool x = within(value.x, expected.x, allowed, where);
+    const bool y = within(value.y, expected.y, allowed, where);
+    const bool z = within(value.z, expected.z, allowed, where);
+    return x && y && z;
+}
+
+bool Quantity::equal(std::int64_t value, std::int64_t expected, std::string_view where)
+{
+    return within(static_cast<double>(value), static_cast<double>(expected), 0, where);
+}
+
+bool Quantity::holds(bool claim, std::string_view where)
+{
+    return within(claim ? 1 : 0, 1, 0, where);
+}
+
+bool Quantity::loose() const
+{
+    constexpr double much = 1000;
+    return worst_.allowed > much * std::max(worst_.error, 0x1p-53 * std::abs(worst_.expected));
+}
+
+std::string Subject::name() const
+{
+    return choice.name == "reference" ? choice.name : choice.name + " " + choice.precision;
+}
+
+std::unique_ptr<Backend> Probe::simulate(const Scenario& scenario, std::optional<SimulationState> state) const
+{
+    return make_backend(subject_->choice, scenario, std::move(state));
+}
+
+Quantity& Probe::quantity(std::string name, Source source, std::string derivation)
+{
+    return quantities_.emplace_back(std::move(name), source, std::move(derivation));
+}
+
+void Probe::note(std::string name, double value, std::string remark)
+{
+    notes_.push_back({std::move(name), value, std::move(remark)});
+}
+
+void Probe::plot(Plot plot)
+{
+    plots_.push_back(std::move(plot));
+}
+
+void Probe::not_run(std::string reason)
+{
+    reason_ = std::move(reason);
+}
+
+} // namespace aneurysm::verification

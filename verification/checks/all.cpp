@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/checks/checks.hpp"
+
+#include <iterator>
+
+namespace aneurysm::verification
+{
+
+const std::vector<Check>& all_checks()
+{
+    static const std::vector<Check> checks = [] {
+        std::vector<Check> all;
+        for (const auto& of_subject : {rupture_checks}) {
+            std::vector<Check> more = of_subject();
+            all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+        }
+        return all;
+    }();
+    return checks;
+}
+
+} // namespace aneurysm::verification
