@@ -61,6 +61,9 @@ public:
 std::unique_ptr<Simulation> make_cpu_simulation(const Scenario& scenario, Precision precision,
                                                 const Tuning& tuning, std::optional<SimulationState> state);
 
+/// The first GPU, in words. \throws Error when there is none, with the cause, or this build has no CUDA code
+std::string gpu_device();
+
 /// On the first GPU. \throws InputError when there is none, with the cause, or this build has no CUDA code
 std::unique_ptr<Simulation> make_gpu_simulation(const Scenario& scenario, Precision precision,
                                                 const Tuning& tuning, std::optional<SimulationState> state);

@@ -5,12 +5,26 @@
 
 namespace aneurysm::device
 {
+namespace
+{
+
+[[noreturn]] void refuse()
+{
+    throw InputError("--backend cuda", "this program was built without CUDA (CMake found no nvcc)",
+                     "needed: build with the CUDA Toolkit, or use --backend cpu");
+}
+
+} // namespace
+
+std::string gpu_device()
+{
+    refuse();
+}
 
 std::unique_ptr<Simulation> make_gpu_simulation(const Scenario&, Precision, const Tuning&,
                                                 std::optional<SimulationState>)
 {
-    throw InputError("--backend cuda", "this program was built without CUDA (CMake found no nvcc)",
-                     "needed: build with the CUDA Toolkit, or use --backend cpu");
+    refuse();
 }
 
 } // namespace aneurysm::device

@@ -5,6 +5,12 @@
 namespace aneurysm::device
 {
 
+std::string gpu_device()
+{
+    const GpuExecutor executor(0); // finds out whether it can be used
+    return GpuExecutor::device();
+}
+
 std::unique_ptr<Simulation> make_gpu_simulation(const Scenario& scenario, Precision precision,
                                                 const Tuning& tuning, std::optional<SimulationState> state)
 {

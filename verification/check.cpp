@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/check.hpp"
 
+#include "verification/interrupt.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +10,32 @@
 
 namespace aneurysm::verification
 {
+namespace
+{
+
+/// A flow that ends at Ctrl-C: checks make many frames.
+class Stoppable final : public Backend
+{
+public:
+    explicit Stoppable(std::unique_ptr<Backend> backend) : backend_(std::move(backend)) {}
+
+    std::string device() const override { return backend_->device(); }
+    FrameRecord advance() override
+    {
+        if (InterruptWatch::interrupted()) {
+            throw Interrupted();
+        }
+        return backend_->advance();
+    }
+    const SimulationState& state() const override { return backend_->state(); }
+    const std::vector<double>& density() const override { return backend_->density(); }
+    const std::vector<double>& solved_pressure() const override { return backend_->solved_pressure(); }
+
+private:
+    std::unique_ptr<Backend> backend_;
+};
+
+} // namespace
 
 Quantity::Quantity(std::string name, Source source, std::string derivation)
     : name_(std::move(name)), source_(source), derivation_(std::move(derivation))
@@ -70,7 +98,7 @@ std::string Subject::name() const
 
 std::unique_ptr<Backend> Probe::simulate(const Scenario& scenario, std::optional<SimulationState> state) const
 {
-    return make_backend(subject_->choice, scenario, std::move(state));
+    return std::make_unique<Stoppable>(make_backend(subject_->choice, scenario, std::move(state)));
 }
 
 Quantity& Probe::quantity(std::string name, Source source, std::string derivation)

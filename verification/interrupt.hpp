@@ -4,6 +4,10 @@
 namespace aneurysm::verification
 {
 
+/// Thrown out of a flow that a check makes, once it was noted. No error: it passes handlers of those.
+struct Interrupted {
+};
+
 /// While one lives, the first Ctrl-C or SIGTERM is only noted; a second one ends the program at once.
 class InterruptWatch
 {
