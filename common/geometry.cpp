@@ -14,11 +14,32 @@ constexpr double piriform_length = 1.5; ///< neck plane to centre of the pear's 
 } // namespace
 
 template <>
+void VesselT<double>::make_straight(const Scenario& scenario)
+{
+    const auto& d = scenario.domain;
+    extent_ = d.spacing_m * Vec3{static_cast<double>(d.cells_x), static_cast<double>(d.cells_y),
+                                 static_cast<double>(d.cells_z)};
+    const bool round = form_ == DomainForm::tube || form_ == DomainForm::pipe;
+    const bool open = form_ == DomainForm::duct || form_ == DomainForm::pipe;
+    period_ = {round ? 0 : extent_.x, open || form_ == DomainForm::channel ? 0 : extent_.y,
+               round ? 0 : extent_.z};
+    const double radius = open ? extent_.x / 2 : 0;
+    const Vec3 axis{round ? 0 : extent_.x / 2, 0, round ? 0 : extent_.z / 2};
+    const Vec3 up{0, 1, 0};
+    openings_ = {Opening{axis - (open ? 0 : nowhere) * up, -up, radius},
+                 Opening{axis + (open ? extent_.y : nowhere) * up, up, radius}, Opening{nowhere * up, up, 0}};
+}
+
+template <>
 VesselT<double>::VesselT(const Scenario& scenario, double daughter_radius)
-    : shape_(scenario.aneurysm.shape),
+    : form_(scenario.domain.form), shape_(scenario.aneurysm.shape),
       junction_smoothing_(scenario.vessel.junction_smoothing_radii * scenario.vessel.radius_m),
       sac_smoothing_(scenario.vessel.sac_smoothing_radii * scenario.vessel.radius_m)
 {
+    if (form_ != DomainForm::artery) {
+        make_straight(scenario);
+        return;
+    }
     const double r_0 = scenario.vessel.radius_m;
     const double B = scenario.vessel.angle_deg * std::numbers::pi / 180;
     const Vec3 left{-sine(B), cosine(B), 0};

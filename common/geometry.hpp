@@ -56,21 +56,24 @@ ANEURYSM_HD DistanceT<Real> smooth_union(const DistanceT<Real>& a, const Distanc
 ///   piriform:                 a cone from the neck's width into a sphere of radius R, 1.5 R higher up
 ///   (assumed: the
 ///                             paper gives no length).
-/// Tubes and sac are joined by polynomial smooth unions. Radii are plain numbers: Murray's law is the
-/// caller's. Every function that takes a place needs only + - * / and roots, so that it gives the same bits
-/// on a CPU and on a GPU.
+/// Tubes and sac are joined by polynomial smooth unions. In the other forms of a domain the tubes are two
+/// plates, one straight tube, or no wall at all, whose distance is -nowhere; x and z of a tube are 0 on its
+/// axis, all other coordinates begin at 0. An end that isn't open is nowhere. Radii are plain numbers:
+/// Murray's law is the caller's. Every function that takes a place needs only + - * / and roots, so that it
+/// gives the same bits on a CPU and on a GPU.
 template <class Real>
 class VesselT
 {
 public:
     using Vector = Vec3T<Real>;
+    static constexpr Real nowhere = 1e6; ///< farther away than anything is [m]
 
     VesselT(const Scenario& scenario, double daughter_radius);
 
     /// The same vessel in another precision.
     template <class Other>
     explicit VesselT(const VesselT<Other>& v)
-        : shape_(v.shape_), junction_smoothing_(static_cast<Real>(v.junction_smoothing_)),
+        : form_(v.form_), shape_(v.shape_), junction_smoothing_(static_cast<Real>(v.junction_smoothing_)),
           sac_smoothing_(static_cast<Real>(v.sac_smoothing_)), neck_ratio_(static_cast<Real>(v.neck_ratio_)),
           largest_radius_(static_cast<Real>(v.largest_radius_)), center_(static_cast<Real>(v.center_)),
           cone_sine_(static_cast<Real>(v.cone_sine_)), cone_cosine_(static_cast<Real>(v.cone_cosine_)),
@@ -79,6 +82,8 @@ public:
         const auto vector = [](const Vec3T<Other>& a) {
             return Vector{static_cast<Real>(a.x), static_cast<Real>(a.y), static_cast<Real>(a.z)};
         };
+        extent_ = vector(v.extent_);
+        period_ = vector(v.period_);
         for (std::size_t k = 0; k < 3; ++k) {
             const OpeningT<Other>& o = v.openings_[k];
             openings_[k] = {vector(o.center), vector(o.outward), static_cast<Real>(o.radius)};
@@ -88,8 +93,10 @@ public:
     /// Distance to the tubes alone [m].
     ANEURYSM_HD DistanceT<Real> tubes(const Vector& x) const
     {
-        return smooth_union(tube(0, x), smooth_union(tube(1, x), tube(2, x), junction_smoothing_),
-                            junction_smoothing_);
+        return form_ == DomainForm::artery
+                   ? smooth_union(tube(0, x), smooth_union(tube(1, x), tube(2, x), junction_smoothing_),
+                                  junction_smoothing_)
+                   : straight_wall(x);
     }
     /// Distance to the sac alone, at radius R [m]. Only with a sac.
     ANEURYSM_HD DistanceT<Real> sac(const Vector& x, Real R) const
@@ -102,6 +109,18 @@ public:
         return has_sac() ? smooth_union(tubes(x), sac(x, R), sac_smoothing_) : tubes(x);
     }
 
+    ANEURYSM_HD DomainForm form() const { return form_; }
+    /// Edges of the lattice's cells, from the seam, wall or open end at one side to that at the other; not of
+    /// an artery [m].
+    ANEURYSM_HD const Vector& extent() const { return extent_; }
+    /// Edge of the box in each direction in which it repeats itself, else 0 [m].
+    ANEURYSM_HD const Vector& period() const { return period_; }
+    /// x, or where it is once more within the periodic box; x isn't more than a box away from it.
+    ANEURYSM_HD Vector wrapped(const Vector& x) const
+    {
+        return {wrapped(x.x, period_.x), wrapped(x.y, period_.y), wrapped(x.z, period_.z)};
+    }
+
     ANEURYSM_HD bool has_sac() const { return shape_ != SacShape::none; }
     ANEURYSM_HD Real apex() const { return apex_; } ///< y of the neck plane [m]
     /// R of the fully developed sac [m]
@@ -111,9 +130,13 @@ public:
 
     /// 0: inlet; 1, 2: outlets at -x and +x.
     ANEURYSM_HD const std::array<OpeningT<Real>, 3>& openings() const { return openings_; }
+    ANEURYSM_HD bool is_open(std::size_t k) const { return openings_[k].radius > 0; }
     /// The tube whose wall or axis is nearest to x; the only opening that x can be beyond.
     ANEURYSM_HD std::size_t nearest_tube(const Vector& x) const
     {
+        if (form_ != DomainForm::artery) {
+            return x.y > extent_.y / 2 ? 1 : 0;
+        }
         std::size_t nearest = 0;
         Real least = tube(0, x).value;
         for (std::size_t k = 1; k < 3; ++k) {
@@ -135,6 +158,23 @@ private:
     template <class Other>
     friend class VesselT;
 
+    void make_straight(const Scenario& scenario);
+    /// Two plates, a round tube, or nothing.
+    ANEURYSM_HD DistanceT<Real> straight_wall(const Vector& x) const
+    {
+        if (form_ == DomainForm::channel) {
+            const Real above = x.y - extent_.y;
+            return -x.y > above ? DistanceT<Real>{-x.y, {0, -1, 0}} : DistanceT<Real>{above, {0, 1, 0}};
+        }
+        if (form_ == DomainForm::tube || form_ == DomainForm::pipe) {
+            return sphere({x.x, 0, x.z}, {}, extent_.x / 2);
+        }
+        return {-nowhere, {}};
+    }
+    ANEURYSM_HD static Real wrapped(Real x, Real period)
+    {
+        return x < 0 ? x + period : period > 0 && x >= period ? x - period : x;
+    }
     ANEURYSM_HD static DistanceT<Real> sphere(const Vector& x, const Vector& center, Real radius)
     {
         const Vector offset = x - center;
@@ -171,6 +211,9 @@ private:
                 Vector{cone_cosine_ * radial.x, -cone_sine_, cone_cosine_ * radial.z}};
     }
 
+    DomainForm form_;
+    Vector extent_{};
+    Vector period_{};
     SacShape shape_;
     Real junction_smoothing_;
     Real sac_smoothing_;

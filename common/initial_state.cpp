@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/initial_state.hpp"
 
+#include "common/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 namespace aneurysm
 {
@@ -14,6 +17,19 @@ namespace
 double uniform(std::mt19937_64& engine)
 {
     return std::ldexp(static_cast<double>(engine() >> 11U), -52) - 1;
+}
+
+/// \throws InputError when the scenario has too few particles for its cells
+Lattice sample_cells(const Scenario& scenario, const Vessel& vessel)
+{
+    Lattice lattice = sample_lattice(vessel, 0, scenario.domain.spacing_m);
+    if (lattice.size() > static_cast<std::size_t>(scenario.particles.count)) {
+        throw InputError("particles.count",
+                         std::to_string(scenario.particles.count) +
+                             " is too few for the cells of this domain",
+                         "needed: at least " + std::to_string(lattice.size()));
+    }
+    return lattice;
 }
 
 } // namespace
@@ -27,6 +43,9 @@ Lattice sample(const Scenario& scenario, const Vessel& vessel, double daughter_r
                std::optional<double> spacing)
 {
     const double R = initial_radius(scenario);
+    if (scenario.domain.form != DomainForm::artery) {
+        return sample_cells(scenario, vessel);
+    }
     if (spacing) {
         return sample_lattice(vessel, R, *spacing);
     }

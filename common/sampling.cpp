@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace aneurysm
@@ -15,15 +16,18 @@ namespace
 /// they just fit.
 constexpr double seeding_inset = 0.08;
 
-/// Integer bounds of the lattice points that can lie within `reach` of the lumen or its open ends.
-struct Bounds {
-    std::int64_t x = 0; ///< -x .. x - 1
-    std::int64_t y = 0; ///< 0 .. y - 1, from `opening_layers` plus reach below the inlet plane
-    std::int64_t z = 0; ///< -z .. z - 1
-    double y_0 = 0;     ///< lower edge of the first cell [m]
-};
+/// Lattice points i of an axis, at low + (i + 1/2) dx.
+struct Axis {
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+    double low = 0; ///< [m]
 
-Bounds bounds(const Vessel& vessel, double R, double dx, double reach)
+    double at(std::int64_t i, double dx) const { return low + (static_cast<double>(i) + 0.5) * dx; }
+};
+using Axes = std::array<Axis, 3>;
+
+/// The lattice points that can lie within `reach` of the artery or its open ends.
+Axes artery_axes(const Vessel& vessel, double R, double dx, double reach)
 {
     const auto& openings = vessel.openings();
     const double margin = reach + opening_layers * dx;
@@ -42,17 +46,34 @@ Bounds bounds(const Vessel& vessel, double R, double dx, double reach)
     const auto cells = [&](double extent) {
         return static_cast<std::int64_t>(std::ceil((extent + margin) / dx)) + 1;
     };
-    return {cells(high.x), cells(high.y - y_0), cells(high.z), y_0};
+    return {Axis{-cells(high.x), cells(high.x), 0}, Axis{0, cells(high.y - y_0), y_0},
+            Axis{-cells(high.z), cells(high.z), 0}};
+}
+
+/// Of the other forms: a periodic direction has its cells once, the others go on behind walls and open ends.
+Axes straight_axes(const Vessel& vessel, double dx, double reach)
+{
+    const auto more = static_cast<std::int64_t>(std::ceil(reach / dx)) + opening_layers;
+    const bool round = vessel.form() == DomainForm::tube || vessel.form() == DomainForm::pipe;
+    const auto axis = [&](double extent, double period, double low) {
+        const auto cells = static_cast<std::int64_t>(std::llround(extent / dx));
+        return period > 0 ? Axis{0, cells, low} : Axis{-more, cells + more, low};
+    };
+    const Vec3& extent = vessel.extent();
+    const Vec3& period = vessel.period();
+    return {axis(extent.x, period.x, round ? -extent.x / 2 : 0), axis(extent.y, period.y, 0),
+            axis(extent.z, period.z, round ? -extent.z / 2 : 0)};
 }
 
 template <class Visit>
-void for_each_lattice_point(const Bounds& b, double dx, const Visit& visit)
+void for_each_lattice_point(const Vessel& vessel, double R, double dx, double reach, const Visit& visit)
 {
-    for (std::int64_t k = -b.z; k < b.z; ++k) {
-        for (std::int64_t j = 0; j < b.y; ++j) {
-            for (std::int64_t i = -b.x; i < b.x; ++i) {
-                visit(Vec3{(static_cast<double>(i) + 0.5) * dx, b.y_0 + (static_cast<double>(j) + 0.5) * dx,
-                           (static_cast<double>(k) + 0.5) * dx});
+    const bool artery = vessel.form() == DomainForm::artery;
+    const auto [x, y, z] = artery ? artery_axes(vessel, R, dx, reach) : straight_axes(vessel, dx, reach);
+    for (std::int64_t k = z.begin; k < z.end; ++k) {
+        for (std::int64_t j = y.begin; j < y.end; ++j) {
+            for (std::int64_t i = x.begin; i < x.end; ++i) {
+                visit(Vec3{x.at(i, dx), y.at(j, dx), z.at(k, dx)});
             }
         }
     }
@@ -64,7 +85,7 @@ Lattice sample_lattice(const Vessel& vessel, double R, double dx)
 {
     Lattice lattice;
     lattice.spacing = dx;
-    for_each_lattice_point(bounds(vessel, R, dx, 0), dx, [&](const Vec3& x) {
+    for_each_lattice_point(vessel, R, dx, 0, [&](const Vec3& x) {
         if (vessel.wall(x, R).value >= -seeding_inset * dx) {
             return;
         }
@@ -114,7 +135,7 @@ GhostLattice::GhostLattice(const Vessel& vessel, double R_smallest, double R_lar
                            double support, double mass)
     : vessel_(&vessel), dx_(dx), support_(support), mass_(mass)
 {
-    for_each_lattice_point(bounds(vessel, R_largest, dx, support), dx, [&](const Vec3& x) {
+    for_each_lattice_point(vessel, R_largest, dx, support, [&](const Vec3& x) {
         const double nearest = vessel.wall(x, R_largest).value;
         const double farthest = vessel.wall(x, R_smallest).value;
         const Opening& end = vessel.openings()[vessel.nearest_tube(x)];

@@ -16,12 +16,34 @@ enum class KernelName { cubic_spline, wendland_c2 };
 enum class PressureModel { dfsph, eos };
 enum class SacShape { none, hemispherical, spherical, piriform };
 enum class Waveform { sine, rectified_sine, raised_sine, constant, table };
+/// What the blood flows in. All but the artery are for verification: lattices of `cells` on straight axes.
+enum class DomainForm {
+    artery,  ///< the paper's branching artery
+    box,     ///< no wall, periodic in x, y and z
+    channel, ///< between two plates across y; periodic in x and z
+    tube,    ///< round, along y, in which it is periodic
+    duct,    ///< no wall, along y from an inlet to one outlet; periodic in x and z
+    pipe,    ///< round, along y from an inlet to one outlet
+};
+enum class WallCondition {
+    no_slip, ///< (27)
+    slip,    ///< the wall exerts no viscous force
+};
 
 /// One simulation, complete: every number in SI units (the paper's own), none with a hidden default.
 /// JSON keys are the member names with their unit; `data/scenario.schema.json` lists them all.
 struct Scenario {
     std::string name;
     std::string description;
+
+    struct {
+        DomainForm form = DomainForm::artery;
+        double spacing_m = 0;     ///< of the lattice; artery: 0, its number of particles sets it
+        std::int64_t cells_x = 0; ///< of the lattice between walls, open ends or periodic seams; artery: 0
+        std::int64_t cells_y = 0;
+        std::int64_t cells_z = 0;
+        WallCondition wall = WallCondition::no_slip;
+    } domain;
 
     struct {
         std::int64_t count = 0; ///< all particles, reserve included; constant through the run (section 3.4)
@@ -37,9 +59,10 @@ struct Scenario {
     } time;
 
     struct {
-        double density_kg_m3 = 0;  ///< rho_0
-        double viscosity_pa_s = 0; ///< mu
-        Vec3 gravity_m_s2;         ///< g
+        double density_kg_m3 = 0;   ///< rho_0
+        double viscosity_pa_s = 0;  ///< mu
+        Vec3 gravity_m_s2;          ///< g
+        double gravity_cycle_s = 0; ///< T: the force is g sin(2 pi t/T); 0: steady
     } fluid;
 
     struct {

@@ -93,6 +93,15 @@ struct Names<SacShape> {
     static constexpr std::array<std::string_view, 4> values{"none", "hemispherical", "spherical", "piriform"};
 };
 template <>
+struct Names<DomainForm> {
+    static constexpr std::array<std::string_view, 6> values{"artery", "box",  "channel",
+                                                            "tube",   "duct", "pipe"};
+};
+template <>
+struct Names<WallCondition> {
+    static constexpr std::array<std::string_view, 2> values{"no_slip", "slip"};
+};
+template <>
 struct Names<Waveform> {
     static constexpr std::array<std::string_view, 5> values{"sine", "rectified_sine", "raised_sine",
                                                             "constant", "table"};
@@ -110,6 +119,22 @@ void visit_run(S& s, Visitor& v)
 {
     v(Field{"name", {}, setting(), "short name, for file names and titles"}, s.name);
     v(Field{"description", {}, setting(), "what this run is for"}, s.description);
+    auto& d = s.domain;
+    v(Field{"domain.form",
+            {},
+            paper("section 3.4", {"artery"}),
+            "artery, or for verification box, channel, tube (periodic), duct, pipe (an inlet and an outlet)"},
+      d.form);
+    v(Field{"domain.spacing_m", from(0).to(1000), paper("set by particles.count", {0}),
+            "spacing of the lattice [m]; 0 for the artery"},
+      d.spacing_m);
+    const Range cells = from(0).to(10000);
+    const std::string_view doc = "cells of the lattice in this direction; 0 for the artery";
+    v(Field{"domain.cells_x", cells, paper("set by the vessel", {0}), doc}, d.cells_x);
+    v(Field{"domain.cells_y", cells, paper("set by the vessel", {0}), doc}, d.cells_y);
+    v(Field{"domain.cells_z", cells, paper("set by the vessel", {0}), doc}, d.cells_z);
+    v(Field{"domain.wall", {}, paper("(27)", {"no_slip"}), "no_slip, or slip: no viscous force of the wall"},
+      d.wall);
     auto& p = s.particles;
     v(Field{"particles.count", from(1).to(1e8), paper("Table 3", {5520, 15456, 40296}),
             "all particles, the reserve included; constant through the run"},
@@ -139,6 +164,9 @@ void visit_flow(S& s, Visitor& v)
     v(Field{"fluid.viscosity_pa_s", from(0).to(1e6), assumed(), "dynamic viscosity, mu [Pa s]"},
       f.viscosity_pa_s);
     v(Field{"fluid.gravity_m_s2", from(-1000).to(1000), assumed(), "gravity, g [m/s^2]"}, f.gravity_m_s2);
+    v(Field{"fluid.gravity_cycle_s", from(0).to(1e6), paper("(1)", {0}),
+            "cycle T of a force g sin(2 pi t/T) [s]; 0: g is steady"},
+      f.gravity_cycle_s);
     auto& k = s.kernel;
     v(Field{"kernel.function", {}, assumed(), "smoothing kernel W"}, k.function);
     v(Field{"kernel.smoothing_length_spacings", from(0.8).to(2), assumed(),
@@ -150,7 +178,7 @@ void visit_flow(S& s, Visitor& v)
             paper("section 3.1, (3)", {"dfsph"}),
             "dfsph: density-invariant and divergence-free; eos: equation of state alone"},
       p.model);
-    v(Field{"pressure.stiffness_m2_s2", above(0), paper("section 3.1", {1}),
+    v(Field{"pressure.stiffness_m2_s2", from(0), paper("section 3.1", {1}),
             "stiffness kappa of the equation of state [m^2/s^2]; drives the flow only in model eos"},
       p.stiffness_m2_s2);
     v(Field{"pressure.relaxation", above(0).below(1), assumed(),

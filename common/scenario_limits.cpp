@@ -11,6 +11,9 @@ namespace aneurysm
 
 double estimated_spacing(const Scenario& scenario)
 {
+    if (scenario.domain.form != DomainForm::artery) {
+        return scenario.domain.spacing_m;
+    }
     const auto& v = scenario.vessel;
     // Two equal daughters of half the parent's radius cubed: r_1^2 = 2^(-2/3) r_0^2.
     const double daughters = 2 * std::pow(2.0, -2.0 / 3.0) * v.daughter_length_radii;

@@ -34,9 +34,12 @@ public:
             check_range(field, member);
             check_reason(field, member);
         });
+        check_domain();
         check_sac();
-        check_vessel();
-        check_resolution();
+        if (s_.domain.form == DomainForm::artery) {
+            check_vessel();
+            check_resolution();
+        }
         check_inlet();
         check_steps();
         check_rest();
@@ -100,6 +103,40 @@ private:
             refuse("assumed." + path, "missing reason for a value that the paper doesn't give",
                    "one of the paper's values, or a string here that says why this one was taken");
         }
+    }
+
+    void check_domain() const
+    {
+        const auto& d = s_.domain;
+        const bool artery = d.form == DomainForm::artery;
+        const std::string name(fields::name_of(d.form));
+        require((d.spacing_m > 0) != artery, "domain.spacing_m", d.spacing_m, "not the spacing of this form",
+                artery ? "0, since domain.form is artery" : "a number > 0 for a " + name);
+        if (!artery && s_.aneurysm.shape != SacShape::none) {
+            refuse("aneurysm.shape", "an aneurysm needs an artery", "none, since domain.form is " + name);
+        }
+        const bool round = d.form == DomainForm::tube || d.form == DomainForm::pipe;
+        const bool open = d.form == DomainForm::duct || d.form == DomainForm::pipe;
+        check_cells("domain.cells_x", d.cells_x, !round);
+        check_cells("domain.cells_y", d.cells_y, d.form == DomainForm::box || d.form == DomainForm::tube);
+        check_cells("domain.cells_z", d.cells_z, !round);
+        require(!round || d.cells_x == d.cells_z, "domain.cells_z", static_cast<double>(d.cells_z),
+                "not as many as across", "domain.cells_x (" + std::to_string(d.cells_x) + ") for a " + name);
+        require(!open || s_.fluid.gravity_cycle_s == 0, "fluid.gravity_cycle_s", s_.fluid.gravity_cycle_s,
+                "open ends and a force with a cycle", "0 for a " + name);
+    }
+    /// A periodic direction must be as wide as three supports, so that no particle sees another one twice.
+    void check_cells(const std::string& path, std::int64_t cells, bool periodic) const
+    {
+        if (s_.domain.form == DomainForm::artery) {
+            require(cells == 0, path, static_cast<double>(cells), "cells of no lattice",
+                    "0, since domain.form is artery");
+            return;
+        }
+        const double support = 2 * s_.kernel.smoothing_length_spacings;
+        const auto least = periodic ? static_cast<std::int64_t>(std::ceil(3 * support)) : 1;
+        require(cells >= least, path, static_cast<double>(cells), "too few",
+                "at least " + std::to_string(least) + (periodic ? ", three supports" : ""));
     }
 
     void check_sac() const

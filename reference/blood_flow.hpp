@@ -74,14 +74,16 @@ inline double equation_of_state(double kappa, double rho, double rho_0)
 ///
 ///     F_i^pressure = -sum_j m_j (p_i + p_j) / (2 rho_j) grad W_ij                             [N/m^3]
 ///
-/// A mirror ghost has its neighbour's pressure p_i. The printed mean makes this half of -grad p.
+/// A wall's or the inlet's ghost has its neighbour's pressure p_i. The printed mean makes this half of -grad
+/// p.
 template <class Sum = Vec3>
 Sum pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
                    std::span<const double> p, std::size_t i)
 {
     Sum force{};
     for (const Neighbor& n : neighbors) {
-        const double p_j = b.role[n.j] == Role::mirror ? p[i] : p[n.j];
+        const bool mirrors = b.role[n.j] == Role::mirror || b.role[n.j] == Role::slip;
+        const double p_j = mirrors ? p[i] : p[n.j];
         force += -b.mass[n.j] * (p[i] + p_j) / (2 * rho[n.j]) * n.grad_W;
     }
     return force;
@@ -90,12 +92,17 @@ Sum pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, std::sp
 /// Eq. (7)  Viscosity force:
 ///
 ///     F_i^viscosity = mu sum_j m_j (v_j - v_i) / rho_j lap W_ij                               [N/m^3]
+///
+/// over all j but the ghosts of a wall that lets blood slip.
 template <class Sum = Vec3>
 Sum viscosity_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
                     double mu, std::size_t i)
 {
     Sum force{};
     for (const Neighbor& n : neighbors) {
+        if (b.role[n.j] == Role::slip) {
+            continue;
+        }
         force += mu * b.mass[n.j] / rho[n.j] * n.lap_W * (b.velocity[n.j] - b.velocity[i]);
     }
     return force;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/flow.hpp"
 
+#include "common/body_force.hpp"
 #include "common/error.hpp"
 #include "common/scenario_limits.hpp"
 #include "reference/boundary.hpp"
@@ -89,12 +90,13 @@ void Flow::step(SimulationState& state, const Wall& wall, double t, FrameRecord&
     drive_openings(state, t, record);
     show(FlowStage::driven, nullptr);
     FlowStep step = make_step(state, wall);
-    apply_forces(step, state);
+    const Vec3 g = body_force_factor(*scenario_, t) * scenario_->fluid.gravity_m_s2;
+    apply_forces(step, state, g);
     solve_pressure(step, state, record, hooks.solved_pressure);
     move(step, state);
     show(FlowStage::moved, &step);
     record_flow(step, p, record);
-    record_impact(step, p, wall, record);
+    record_impact(step, p, wall, g, record);
     controller_.push_as_piston(p, record.inlet_velocity);
     for (const std::size_t k : {1U, 2U}) {
         if (state.outlet_velocity[k - 1] < 0) {
@@ -146,8 +148,9 @@ FlowStep Flow::make_step(const SimulationState& state, const Wall& wall) const
     b.position.insert(b.position.end(), wall.ghosts.position.begin(), wall.ghosts.position.end());
     b.velocity.resize(b.size(), wall_velocity());
     b.mass.insert(b.mass.end(), wall.ghosts.mass.begin(), wall.ghosts.mass.end());
-    b.role.resize(b.size(), Role::mirror);
-    Neighbors neighbors(b, kernel_);
+    const bool slips = scenario_->domain.wall == WallCondition::slip;
+    b.role.resize(b.size(), slips ? Role::slip : Role::mirror);
+    Neighbors neighbors(b, kernel_, vessel_->period());
     FlowStep step{std::move(b), std::move(neighbors), {}, {}, {}, {}, {}, p.velocity};
     step.rho.assign(step.bodies.size(), scenario_->fluid.density_kg_m3);
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -165,7 +168,7 @@ FlowStep Flow::make_step(const SimulationState& state, const Wall& wall) const
 
 /// Viscosity (7), gravity and, in model dfsph, the outlets' pressure (26): all but the blood's own pressure.
 /// In model eos the outlets' ghosts take part in (6) with their pressure.
-void Flow::apply_forces(FlowStep& step, const SimulationState& state) const
+void Flow::apply_forces(FlowStep& step, const SimulationState& state, const Vec3& g) const
 {
     Bodies& b = step.bodies;
     const Particles& p = state.particles;
@@ -185,8 +188,7 @@ void Flow::apply_forces(FlowStep& step, const SimulationState& state) const
                     b.mass[n.j], rho_0, outlet_pressure(scenario_->outlet.pressure_pa, rho_0, v), n.grad_W);
             }
         }
-        const Vec3 force =
-            momentum_force(step.rho[i], scenario_->fluid.gravity_m_s2, step.F_viscosity[i], step.F_outlet[i]);
+        const Vec3 force = momentum_force(step.rho[i], g, step.F_viscosity[i], step.F_outlet[i]);
         step.velocity[i] = b.velocity[i] + dt_ * acceleration(step.rho[i], force);
     }
     std::ranges::copy(step.velocity, b.velocity.begin());
@@ -291,7 +293,7 @@ void Flow::move(const FlowStep& step, SimulationState& state) const
                                   "more time.substeps, or a stiffer pressure model");
         }
         p.velocity[i] = step.velocity[i];
-        p.position[i] += way;
+        p.position[i] = vessel_->wrapped(p.position[i] + way);
     }
 }
 
@@ -342,7 +344,7 @@ std::vector<std::int64_t> Flow::impacting(const Particles& p, const Wall& wall) 
 
 /// F_b of (16), with the pressure that drives the flow and, as a diagnostic, with (6) and the equation of
 /// state.
-void Flow::record_impact(const FlowStep& step, const Particles& p, const Wall& wall,
+void Flow::record_impact(const FlowStep& step, const Particles& p, const Wall& wall, const Vec3& g,
                          FrameRecord& record) const
 {
     const std::vector<std::int64_t> S = impacting(p, wall);
@@ -354,7 +356,6 @@ void Flow::record_impact(const FlowStep& step, const Particles& p, const Wall& w
     }
     std::vector<Vec3> force(p.size());
     std::vector<Vec3> force_eos(p.size());
-    const Vec3& g = scenario_->fluid.gravity_m_s2;
     for (const std::int64_t member : S) {
         const auto i = static_cast<std::size_t>(member);
         const Vec3 F_eos = pressure_force(step.bodies, step.neighbors.of(i), step.rho, p_eos, i);
@@ -404,7 +405,9 @@ void Flow::handle_collisions(SimulationState& state, const Wall& wall, FrameReco
 
 void Flow::settle(SimulationState& state, const Wall& wall) const
 {
-    constexpr int rounds = 10; // each takes out about what is left of the surplus
+    // Each round takes out about what is left of the surplus. What never corrects the density doesn't at the
+    // start.
+    const int rounds = scenario_->pressure.density_correction > 0 ? 10 : 0;
     // At rest a step finds nothing to correct once the mean excess is this; 1.001 leaves room for rounding.
     const double allowed = 1.001 * solver_.tolerance * dt_ / settling_correction;
     Particles& p = state.particles;
@@ -449,7 +452,7 @@ void Flow::push_apart(SimulationState& state, const Wall& wall) const
         std::vector<Vec3> a(step.bodies.size());
         solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, settings, pressure, a);
         for (std::size_t i = 0; i < p.size(); ++i) {
-            p.position[i] += dt_ * dt_ * a[i];
+            p.position[i] = vessel_->wrapped(p.position[i] + dt_ * dt_ * a[i]);
         }
         controller_.push_as_piston(p, 0);
         handle_collisions(state, wall, record);

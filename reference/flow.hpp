@@ -106,7 +106,7 @@ private:
     double inlet_velocity_at(double t) const;
     void drive_openings(SimulationState& state, double t, FrameRecord& record) const;
     FlowStep make_step(const SimulationState& state, const Wall& wall) const;
-    void apply_forces(FlowStep& step, const SimulationState& state) const;
+    void apply_forces(FlowStep& step, const SimulationState& state, const Vec3& g) const;
     void solve_pressure(FlowStep& step, SimulationState& state, FrameRecord& record,
                         std::span<const double> solved);
     IncompressibleReport take_pressure(const FlowStep& step, std::span<const double> solved,
@@ -118,7 +118,8 @@ private:
     void move(const FlowStep& step, SimulationState& state) const;
     void record_flow(const FlowStep& step, const Particles& p, FrameRecord& record) const;
     std::vector<std::int64_t> impacting(const Particles& p, const Wall& wall) const;
-    void record_impact(const FlowStep& step, const Particles& p, const Wall& wall, FrameRecord& record) const;
+    void record_impact(const FlowStep& step, const Particles& p, const Wall& wall, const Vec3& g,
+                       FrameRecord& record) const;
     void handle_collisions(SimulationState& state, const Wall& wall, FrameRecord& record) const;
 
     const Scenario* scenario_;

@@ -16,6 +16,7 @@ namespace aneurysm::reference
 enum class Role : std::uint8_t {
     free,   ///< moved by forces
     mirror, ///< ghost of the wall or the inlet: given velocity, its neighbour's pressure
+    slip,   ///< ghost of a wall that exerts no viscous force: else as `mirror`
     outlet, ///< ghost of an outlet: given velocity and pressure (26)
     absent, ///< in the reserve
 };

@@ -60,14 +60,17 @@ std::string flow_info(const Scenario& s)
     Lines lines;
     lines.add("particle spacing dx, about", dx, "m")
         .add("particle mass, about", rho_0 * dx * dx * dx, "kg")
-        .add("particle spacings across the parent", 2 * r_0 / dx)
-        .add("radius of the daughters, (24)", reference::daughter_radius(r_0), "m")
-        .add("Reynolds number rho_0 v_0 2 r_0 / mu", rho_0 * v_0 * 2 * r_0 / s.fluid.viscosity_pa_s)
         .add("spacings that the inlet moves in a step", v_0 * step / dx)
         .add("step", step, "s")
         .add("  its limit by convection, about", limits.convective, "s")
         .add("  its limit by viscosity, about", limits.viscous, "s")
-        .add("  its limit by sound (model eos), about", limits.acoustic, "s")
+        .add("  its limit by sound (model eos), about", limits.acoustic, "s");
+    if (s.domain.form != DomainForm::artery) {
+        return lines.text();
+    }
+    lines.add("particle spacings across the parent", 2 * r_0 / dx)
+        .add("radius of the daughters, (24)", reference::daughter_radius(r_0), "m")
+        .add("Reynolds number rho_0 v_0 2 r_0 / mu", rho_0 * v_0 * 2 * r_0 / s.fluid.viscosity_pa_s)
         .add("outlet pressure", s.outlet.pressure_pa, "Pa")
         .add("  that of decelerating blood, rho L 2 pi v_0/T",
              rho_0 * path * 2 * std::numbers::pi * v_0 / s.inlet.cycle_s, "Pa");
