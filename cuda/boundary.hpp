@@ -47,7 +47,7 @@ inline double inlet_velocity(const Scenario& scenario, double t)
     case Waveform::constant:
         return v_0;
     case Waveform::table:
-        return table_velocity(scenario, t - T * std::floor(t / T));
+        return table_velocity(scenario, std::max(t - T * std::floor(t / T), 0.0)); // rounding can go below 0
     }
     return 0;
 }

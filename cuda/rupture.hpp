@@ -75,12 +75,14 @@ struct Impact {
 
     ANEURYSM_HD Impact& operator+=(const Impact& b)
     {
-        const bool harder = !(b.force <= force) || (b.force == force && b.particle < particle);
+        const bool harder =
+            b.force > force || std::isnan(b.force) || (b.force == force && b.particle < particle);
         if (b.count > 0 && (count == 0 || harder)) {
             force = b.force;
             particle = b.particle;
         }
-        force_eos = b.count > 0 && !(b.force_eos <= force_eos) ? b.force_eos : force_eos;
+        force_eos =
+            b.count > 0 && (b.force_eos > force_eos || std::isnan(b.force_eos)) ? b.force_eos : force_eos;
         count += b.count;
         return *this;
     }

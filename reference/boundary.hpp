@@ -16,7 +16,7 @@ namespace aneurysm::reference
 inline double table_velocity(const std::vector<double>& time, const std::vector<double>& velocity, double T,
                              double t)
 {
-    const double s = t - T * std::floor(t / T);
+    const double s = std::max(t - T * std::floor(t / T), 0.0); // rounding can take it below 0
     const auto after = std::upper_bound(time.begin(), time.end(), s);
     const auto k = static_cast<std::size_t>(after - time.begin());
     const double t_0 = time[k - 1];

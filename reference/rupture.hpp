@@ -89,7 +89,7 @@ inline Impact impact_force(std::span<const std::int64_t> S, double m, std::span<
     for (const std::int64_t i : S) {
         const auto k = static_cast<std::size_t>(i);
         const double F = length(m / density[k] * force[k]);
-        if (impact.particle < 0 || !(F <= impact.force)) { // a NaN must not hide
+        if (impact.particle < 0 || F > impact.force || std::isnan(F)) { // a NaN must not hide
             impact = {F, i};
         }
     }
