@@ -12,9 +12,6 @@ namespace aneurysm::reference
 namespace
 {
 constexpr std::array<Kind, 3> ghost_kind{Kind::inlet, Kind::outlet_1, Kind::outlet_2};
-constexpr double probe_depth = 2.0;   ///< spacings before an outlet whose blood moves its slab
-constexpr double piston_reach = 0.3;  ///< spacings
-constexpr double closest_entry = 0.7; ///< spacings between blood and a ghost that may become blood
 
 /// Hands out the reserve, lowest index first.
 class Reserve

@@ -8,6 +8,10 @@
 namespace aneurysm::reference
 {
 
+constexpr double probe_depth = 2.0;   ///< spacings before an outlet whose blood moves its slab
+constexpr double piston_reach = 0.3;  ///< spacings before the inlet in which its slab is a piston
+constexpr double closest_entry = 0.7; ///< spacings between blood and a ghost that may become blood
+
 /// Moves particles between the artery, its three open ends and the reserve.
 ///
 /// Behind each open end lies a slab of ghosts, D = `opening_layers` dx deep. The inlet's moves as a plug with

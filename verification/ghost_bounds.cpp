@@ -2,6 +2,7 @@
 #include "verification/ghost_bounds.hpp"
 
 #include "common/error.hpp"
+#include "common/initial_state.hpp"
 
 #include <algorithm>
 
@@ -20,11 +21,6 @@ double widest(const Vessel& vessel, const Rounding& rounding)
     return rounding.absolute(100 * extent);
 }
 
-double initial_radius(const Scenario& s)
-{
-    return s.aneurysm.initial_radius_radii * s.vessel.radius_m;
-}
-
 } // namespace
 
 Truth contains(const Breach& breach, const InexactVec& x, const Rounding& rounding)
@@ -39,8 +35,7 @@ GhostBounds::GhostBounds(const Scenario& scenario, const WallBounds& wall, doubl
                          double mass, const Rounding& rounding)
     : wall_(&wall), dx_(dx), support_(support), mass_(mass), rounding_(rounding),
       margin_(widest(wall.vessel(), rounding)),
-      candidates_(wall.vessel(), std::max(initial_radius(scenario) - dx, 0.5 * initial_radius(scenario)),
-                  wall.vessel().largest_radius() + dx, dx, support + margin_, mass)
+      candidates_(ghost_lattice(scenario, wall.vessel(), dx, support + margin_, mass))
 {
 }
 

@@ -4,6 +4,7 @@
 #include "common/sampling.hpp"
 #include "common/scenario_limits.hpp"
 #include "reference/boundary.hpp"
+#include "reference/controller.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +12,12 @@
 
 namespace aneurysm::verification
 {
+using reference::closest_entry;
+using reference::piston_reach;
+using reference::probe_depth;
+
 namespace
 {
-// As in reference/controller.cpp, in spacings.
-constexpr double probe_depth = 2.0;
-constexpr double piston_reach = 0.3;
-constexpr double closest_entry = 0.7;
 constexpr std::array<Kind, 3> ghost_kind{Kind::inlet, Kind::outlet_1, Kind::outlet_2};
 
 bool is_ghost(Kind kind)
