@@ -1,84 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cuda/cells.hpp"
+#include "cuda/constants.hpp"
 #include "cuda/executor.hpp"
 #include "cuda/fields.hpp"
-#include "cuda/flow.hpp"
 #include "cuda/setup.hpp"
 #include "cuda/simulation.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 namespace aneurysm::device
 {
-
-template <class Real>
-Vec3T<Real> narrow(const Vec3& v)
-{
-    return {static_cast<Real>(v.x), static_cast<Real>(v.y), static_cast<Real>(v.z)};
-}
-template <class Real>
-Vec3 wide(const Row<Real>& r)
-{
-    return {static_cast<double>(r.x), static_cast<double>(r.y), static_cast<double>(r.z)};
-}
-
-/// The grid around all places where a body can be without harm; farther out the outermost cells go on.
-template <class Real>
-Grid<Real> make_grid(const Setup& setup)
-{
-    const double width = 2 * setup.h;
-    Vec3 low = setup.lattice.fluid.front();
-    Vec3 high = low;
-    const auto include = [&](const std::vector<Vec3>& places) {
-        for (const Vec3& x : places) {
-            low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
-            high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
-        }
-    };
-    include(setup.ghosts.fixed().position);
-    include(setup.ghosts.near_sac());
-    include(setup.lattice.fluid);
-    const auto real = [](double x) { return static_cast<Real>(x); };
-    const double wide = width * (1 + 1e-5); // for rounding: a cell must not be narrower than the support
-    const auto cells = [&](double extent, double of) { return static_cast<Index>(extent / of) + 2; };
-    return {.low = narrow<Real>(low),
-            .per_width = real(1 / wide),
-            .per_x_width = real(2 / wide),
-            .x_cells = cells(high.x - low.x, wide / 2),
-            .y_cells = cells(high.y - low.y, wide),
-            .z_cells = cells(high.z - low.z, wide)};
-}
-
-template <class Real>
-Constants<Real> make_constants(const Scenario& s, const Setup& setup)
-{
-    const auto real = [](double x) { return static_cast<Real>(x); };
-    const double r_0 = s.vessel.radius_m;
-    Constants<Real> c{.kernel = Kernel<Real>(s.kernel.function, setup.h),
-                      .vessel = VesselT<Real>(setup.vessel),
-                      .grid = make_grid<Real>(setup),
-                      .model = s.pressure.model};
-    c.particles = static_cast<Index>(s.particles.count);
-    c.walls = static_cast<Index>(setup.ghosts.fixed().size() + setup.ghosts.near_sac().size());
-    c.dx = real(setup.lattice.spacing);
-    c.dt = real(s.time.frame_s / static_cast<double>(s.time.substeps));
-    c.mass = real(setup.particle_mass);
-    c.rho_0 = real(s.fluid.density_kg_m3);
-    c.mu = real(s.fluid.viscosity_pa_s);
-    c.g = narrow<Real>(s.fluid.gravity_m_s2);
-    c.kappa = real(s.pressure.stiffness_m2_s2);
-    c.omega = real(s.pressure.relaxation);
-    c.blow_up_ratio = real(s.pressure.blow_up_density_ratio);
-    c.impact_band = real(s.rupture.impact_band_spacings * setup.lattice.spacing);
-    c.open_end = real(r_0);
-    c.recycle_distance = real(s.rupture.recycle_distance_radii * r_0);
-    c.breach_radius = real(s.rupture.breach_radius_radii * r_0);
-    c.p_outlet = s.outlet.pressure_pa;
-    return c;
-}
 
 /// What the host hands over for each frame.
 struct FrameInput {
@@ -86,48 +20,47 @@ struct FrameInput {
     double time = 0; ///< [s]
 };
 
+/// Starts its record and what it counts up.
+struct BeginFrame {
+    Scene* scene;
+    const FrameInput* input;
+
+    ANEURYSM_HD void operator()() const
+    {
+        scene->record = FrameRecord{};
+        scene->record.frame = input->frame;
+        scene->record.time = input->time;
+        scene->fault = Fault::none;
+        scene->free_blocks = 0;
+        scene->ghost_blocks = 0;
+    }
+};
+
 /// Device memory of a model, and the ways in and out.
 template <class Executor, class Real>
 class Arrays
 {
 public:
-    Arrays(Executor& executor, const Scenario& scenario, const Setup& setup, Tuning::Gradients gradients)
-        : executor_(&executor), n_(static_cast<Index>(scenario.particles.count)),
-          constants_(make_constants<Real>(scenario, setup)),
-          steps_(static_cast<Index>(scenario.time.substeps)), position_(executor, n_),
-          velocity_(executor, n_), pressure_(executor, n_), kind_(executor, n_), old_position_(executor, n_),
-          old_velocity_(executor, n_), old_pressure_(executor, n_), old_kind_(executor, n_),
-          density_(executor, n_), solved_pressure_(executor, n_ * steps_), event_(executor, n_),
-          body_position_(executor, constants_.bodies() + lane_count),
-          body_velocity_(executor, constants_.bodies() + lane_count),
-          body_x_(executor, constants_.bodies() + lane_count),
-          body_y_(executor, constants_.bodies() + lane_count),
-          body_z_(executor, constants_.bodies() + lane_count),
-          is_mirror_(executor, constants_.bodies() + lane_count), key_(executor, n_),
-          sorted_key_(executor, n_), order_(executor, n_), start_(executor, 2 * constants_.grid.cells() + 2),
-          wall_start_(executor, constants_.grid.cells() + 1),
-          cell_property_(executor, constants_.grid.cells()), wall_position_(executor, constants_.walls),
-          free_begin_(executor, n_ + 1), free_blocks_(executor, n_), ghost_begin_(executor, n_ + 1),
-          ghost_blocks_(executor, n_), ghost_gradient_(executor, n_), force_(executor, n_),
-          acceleration_(executor, n_), solved_velocity_(executor, n_ + 1), p_(executor, n_ + 1),
-          p_old_(executor, n_ + 1), alpha_(executor, n_), source_(executor, n_), response_(executor, n_),
-          rate_(executor, n_), impact_(executor, n_), impact_eos_(executor, n_), rank_(executor, n_ + 1),
-          entry_rank_(executor, n_ + 1), scene_(executor, 1), old_scene_(executor, 1),
-          inlet_(executor, 2 * steps_), input_(executor, 1)
+    Arrays(Executor& executor, const Scenario& scenario, const Setup& setup, const Tuning& tuning)
+        : executor_(&executor), memory_(executor), fields_{make_constants<Real>(scenario, setup)},
+          n_(fields_.c.particles), steps_(static_cast<Index>(scenario.time.substeps)),
+          keeps_gradients_(tuning.gradients == Tuning::Gradients::kept ||
+                           (tuning.gradients == Tuning::Gradients::automatic && executor.keeps_gradients(n_)))
     {
-        pattern_ = upload_patterns(setup);
-        keep_gradients_ = gradients == Tuning::Gradients::kept ||
-                          (gradients == Tuning::Gradients::automatic && executor.keeps_gradients(n_));
-        make_lists(5 * n_ + 64, 2 * n_ + 64);
+        make_frame();
+        make_particles();
+        make_bodies();
+        make_sorted();
+        make_cells(setup);
+        make_patterns(setup.lattice);
+        const bool given = tuning.list_blocks > 0;
+        make_lists(given ? tuning.list_blocks : 5 * n_ + 64, given ? tuning.list_blocks : 2 * n_ + 64);
         place_null_body();
-        place_walls(setup);
-        describe_cells(setup);
-        connect();
     }
 
     const Fields<Real>& fields() const { return fields_; }
-    Scene* scene() { return scene_.get(); }
-    const FrameInput* input() const { return input_.get(); }
+    Scene* scene() { return fields_.scene; }
+    const FrameInput* input() const { return input_; }
 
     void upload(const SimulationState& state)
     {
@@ -140,89 +73,89 @@ public:
             v.push_back(row(narrow<Real>(p.velocity[i]), Real(0)));
             pressure.push_back(static_cast<Real>(p.pressure[i]));
         }
-        executor_->upload(position_.get(), x.data(), x.size());
-        executor_->upload(velocity_.get(), v.data(), v.size());
-        executor_->upload(pressure_.get(), pressure.data(), pressure.size());
-        executor_->upload(kind_.get(), p.kind.data(), p.kind.size());
-        const std::vector<Real> rho(p.size(), constants_.rho_0);
-        executor_->upload(density_.get(), rho.data(), rho.size());
+        executor_->upload(fields_.position, x.data(), x.size());
+        executor_->upload(fields_.velocity, v.data(), v.size());
+        executor_->upload(fields_.pressure, pressure.data(), pressure.size());
+        executor_->upload(fields_.kind, p.kind.data(), p.kind.size());
+        const std::vector<Real> rho(p.size(), fields_.c.rho_0);
+        executor_->upload(fields_.density, rho.data(), rho.size());
         Scene scene{};
         scene.aneurysm = state.aneurysm;
         scene.ledger = state.ledger;
         scene.outlet_velocity[0] = state.outlet_velocity[0];
         scene.outlet_velocity[1] = state.outlet_velocity[1];
-        executor_->upload(scene_.get(), &scene, 1);
+        executor_->upload(fields_.scene, &scene, 1);
     }
 
     void upload_input(const FrameInput& input, const std::vector<double>& inlet_velocities)
     {
-        executor_->upload(input_.get(), &input, 1);
-        executor_->upload(inlet_.get(), inlet_velocities.data(), inlet_velocities.size());
+        executor_->upload(input_, &input, 1);
+        executor_->upload(inlet_velocities_, inlet_velocities.data(), inlet_velocities.size());
     }
 
     /// All that a checkpoint holds but frame, spacing and mass.
     void download(SimulationState& state) const
     {
         Particles& p = state.particles;
-        const auto x = fetched(position_);
-        const auto v = fetched(velocity_);
-        const auto pressure = fetched(pressure_);
+        const auto x = fetched(fields_.position, n_);
+        const auto v = fetched(fields_.velocity, n_);
+        const auto pressure = fetched(fields_.pressure, n_);
+        const auto place = [](const Row<Real>& r) { return wide(r.vector()); };
         p.position.resize(x.size());
         p.velocity.resize(x.size());
-        std::ranges::transform(x, p.position.begin(), wide<Real>);
-        std::ranges::transform(v, p.velocity.begin(), wide<Real>);
+        std::ranges::transform(x, p.position.begin(), place);
+        std::ranges::transform(v, p.velocity.begin(), place);
         p.pressure.assign(pressure.begin(), pressure.end());
-        p.kind = fetched(kind_);
+        p.kind = fetched(fields_.kind, n_);
         const Scene scene = fetched_scene();
         state.aneurysm = scene.aneurysm;
         state.ledger = scene.ledger;
         state.outlet_velocity = {scene.outlet_velocity[0], scene.outlet_velocity[1]};
     }
-    Scene fetched_scene() const
+    Scene fetched_scene() const { return fetched(fields_.scene, 1).front(); }
+    std::vector<double> density() const { return widened(fetched(fields_.density, n_)); }
+    std::vector<double> solved_pressure() const
     {
-        Scene scene;
-        executor_->download(&scene, scene_.get(), 1);
-        return scene;
+        return widened(fetched(fields_.solved_pressure, n_ * steps_));
     }
-    std::vector<double> density() const { return widened(fetched(density_)); }
-    std::vector<double> solved_pressure() const { return widened(fetched(solved_pressure_)); }
 
     /// Keeps the state as it is before a frame.
-    void save()
-    {
-        executor_->copy(old_position_.get(), position_.get(), n_);
-        executor_->copy(old_velocity_.get(), velocity_.get(), n_);
-        executor_->copy(old_pressure_.get(), pressure_.get(), n_);
-        executor_->copy(old_kind_.get(), kind_.get(), n_);
-        executor_->copy(old_scene_.get(), scene_.get(), 1);
-    }
+    void save() { copy_state(saved_, fields_); }
     /// Goes back to it.
-    void restore()
-    {
-        executor_->copy(position_.get(), old_position_.get(), n_);
-        executor_->copy(velocity_.get(), old_velocity_.get(), n_);
-        executor_->copy(pressure_.get(), old_pressure_.get(), n_);
-        executor_->copy(kind_.get(), old_kind_.get(), n_);
-        executor_->copy(scene_.get(), old_scene_.get(), 1);
-    }
+    void restore() { copy_state(fields_, saved_); }
 
     /// Makes room for what the lists of a frame wanted, and a quarter more.
     void grow_lists(const Scene& wanted)
     {
         make_lists(std::max(fields_.free.capacity, wanted.free_blocks + wanted.free_blocks / 4),
                    std::max(fields_.ghosts.capacity, wanted.ghost_blocks + wanted.ghost_blocks / 4));
-        connect();
     }
 
 private:
-    template <class T>
-    using Array = Buffer<T, Executor>;
+    /// The state that a frame starts from.
+    struct Saved {
+        Row<Real>* position = nullptr;
+        Row<Real>* velocity = nullptr;
+        Real* pressure = nullptr;
+        Kind* kind = nullptr;
+        Scene* scene = nullptr;
+    };
+
+    template <class To, class From>
+    void copy_state(const To& to, const From& from)
+    {
+        executor_->copy(to.position, from.position, n_);
+        executor_->copy(to.velocity, from.velocity, n_);
+        executor_->copy(to.pressure, from.pressure, n_);
+        executor_->copy(to.kind, from.kind, n_);
+        executor_->copy(to.scene, from.scene, 1);
+    }
 
     template <class T>
-    std::vector<T> fetched(const Array<T>& array) const
+    std::vector<T> fetched(const T* array, Index size) const
     {
-        std::vector<T> host(static_cast<std::size_t>(array.size()));
-        executor_->download(host.data(), array.get(), host.size());
+        std::vector<T> host(static_cast<std::size_t>(size));
+        executor_->download(host.data(), array, host.size());
         return host;
     }
     static std::vector<double> widened(const std::vector<Real>& values)
@@ -230,263 +163,126 @@ private:
         return {values.begin(), values.end()};
     }
 
-    Array<Row<Real>> upload_patterns(const Setup& setup)
+    void make_frame()
+    {
+        memory_.make(fields_.scene, 1);
+        memory_.make(input_, 1);
+        inlet_velocities_ = memory_.make(fields_.inlet_velocities, 2 * steps_);
+    }
+    void make_particles()
+    {
+        Fields<Real>& f = fields_;
+        memory_.make(f.position, n_);
+        memory_.make(f.velocity, n_);
+        memory_.make(f.pressure, n_);
+        memory_.make(f.kind, n_);
+        memory_.make(f.density, n_);
+        memory_.make(f.solved_pressure, n_ * steps_);
+        memory_.make(f.event, n_);
+        memory_.make(saved_.position, n_);
+        memory_.make(saved_.velocity, n_);
+        memory_.make(saved_.pressure, n_);
+        memory_.make(saved_.kind, n_);
+        memory_.make(saved_.scene, 1);
+    }
+    void make_bodies()
+    {
+        Fields<Real>& f = fields_;
+        const Index bodies = f.c.bodies() + lane_count; // a search reads eight at once
+        memory_.make(f.body_position, bodies);
+        memory_.make(f.body_velocity, bodies);
+        memory_.make(f.body_x, bodies);
+        memory_.make(f.body_y, bodies);
+        memory_.make(f.body_z, bodies);
+        memory_.make(f.is_mirror, bodies);
+    }
+    void make_sorted()
+    {
+        Fields<Real>& f = fields_;
+        memory_.make(f.key, n_);
+        memory_.make(f.sorted_key, n_);
+        memory_.make(f.order, n_);
+        memory_.make(f.start, 2 * f.c.grid.cells() + 2);
+        memory_.make(f.free.begin, n_ + 1);
+        memory_.make(f.free.blocks, n_);
+        memory_.make(f.ghosts.begin, n_ + 1);
+        memory_.make(f.ghosts.blocks, n_);
+        memory_.make(f.ghost_gradient, n_);
+        memory_.make(f.force, n_);
+        memory_.make(f.acceleration, n_);
+        memory_.make(f.solved_velocity, n_ + 1);
+        memory_.make(f.p, n_ + 1);
+        memory_.make(f.p_old, n_ + 1);
+        memory_.make(f.alpha, n_);
+        memory_.make(f.source, n_);
+        memory_.make(f.response, n_);
+        memory_.make(f.rate, n_);
+        memory_.make(f.impact, n_);
+        memory_.make(f.impact_eos, n_);
+        memory_.make(f.rank, n_ + 1);
+        memory_.make(f.entry_rank, n_ + 1);
+        // Between a step's sort and its lists' counts these aren't needed as what they are.
+        f.flag = f.key;
+        f.entering = f.sorted_key;
+        f.reserve = f.free.blocks;
+    }
+    void make_cells(const Setup& setup)
+    {
+        Fields<Real>& f = fields_;
+        const WallsByCell<Real> walls = sort_walls(f.c.grid, setup.ghosts);
+        memory_.make(f.wall_position, walls.ghosts);
+        memory_.make(f.wall_start, walls.start);
+        memory_.make(f.cell_property, CellProperties<Real>(f.c, setup).values());
+    }
+    void make_patterns(const Lattice& lattice)
     {
         std::vector<Row<Real>> places;
         for (std::size_t k = 0; k < 3; ++k) {
-            for (const Vec3& x : setup.lattice.openings[k]) {
+            for (const Vec3& x : lattice.openings[k]) {
                 places.push_back(row(narrow<Real>(x), Real(0)));
             }
-            fields_pattern_[k + 1] = static_cast<Index>(places.size());
+            fields_.pattern_begin[k + 1] = static_cast<Index>(places.size());
         }
-        Array<Row<Real>> pattern(*executor_, static_cast<Index>(places.size()));
-        executor_->upload(pattern.get(), places.data(), places.size());
-        return pattern;
+        memory_.make(fields_.pattern, places);
     }
-
     void make_lists(Index free_blocks, Index ghost_blocks)
     {
-        free_body_ = {};
-        ghost_body_ = {};
-        gradient_ = {};
-        free_body_ = Array<Index>(*executor_, lane_count * free_blocks);
-        ghost_body_ = Array<Index>(*executor_, lane_count * ghost_blocks);
-        if (keep_gradients_) {
-            gradient_ = Array<Real>(*executor_, 3 * lane_count * free_blocks);
+        Fields<Real>& f = fields_;
+        f.free.capacity = free_blocks;
+        f.ghosts.capacity = ghost_blocks;
+        memory_.make(f.free.body, lane_count * free_blocks);
+        memory_.make(f.ghosts.body, lane_count * ghost_blocks);
+        if (keeps_gradients_) {
+            memory_.make(f.gradient, 3 * lane_count * free_blocks);
         }
     }
 
     void place_null_body()
     {
-        const Index at = constants_.null_body();
+        const Fields<Real>& f = fields_;
+        const Index at = f.c.null_body();
         constexpr Real far = Constants<Real>::far_away;
         const Row<Real> place{far, far, far, 0};
-        const Row<Real> values{0, 0, 0, constants_.rho_0};
+        const Row<Real> values{0, 0, 0, f.c.rho_0};
         const Row<Real> zeros{0, 0, 0, 0};
         const Real zero = 0;
         const Index mirror = 1;
-        executor_->upload(body_position_.get() + at, &place, 1);
-        executor_->upload(body_velocity_.get() + at, &values, 1);
-        executor_->upload(is_mirror_.get() + at, &mirror, 1);
-        executor_->upload(solved_velocity_.get() + at, &zeros, 1);
-        executor_->upload(p_.get() + at, &zero, 1);
-    }
-
-    /// The wall's ghosts never move; they are sorted into cells once.
-    void place_walls(const Setup& setup)
-    {
-        std::vector<Row<Real>> walls;
-        const WallGhosts& fixed = setup.ghosts.fixed();
-        for (std::size_t i = 0; i < fixed.size(); ++i) {
-            walls.push_back(row(narrow<Real>(fixed.position[i]), static_cast<Real>(fixed.mass[i])));
-        }
-        for (const Vec3& x : setup.ghosts.near_sac()) {
-            walls.push_back(row(narrow<Real>(x), Real(-1)));
-        }
-        const Grid<Real>& grid = constants_.grid;
-        const auto cell = [&grid](const Row<Real>& w) { return grid.cell(w.vector()); };
-        std::vector<std::size_t> order(walls.size()); // stable_sort of rows would ignore their alignment
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::ranges::stable_sort(order, {}, [&](std::size_t w) { return cell(walls[w]); });
-        std::vector<Row<Real>> sorted;
-        for (const std::size_t w : order) {
-            sorted.push_back(walls[w]);
-        }
-        std::vector<Index> start(static_cast<std::size_t>(grid.cells()) + 1, 0);
-        for (const Row<Real>& w : walls) {
-            ++start[static_cast<std::size_t>(cell(w)) + 1];
-        }
-        std::partial_sum(start.begin(), start.end(), start.begin());
-        executor_->upload(wall_position_.get(), sorted.data(), sorted.size());
-        executor_->upload(wall_start_.get(), start.data(), start.size());
-    }
-
-    void describe_cells(const Setup& setup)
-    {
-        const Grid<Real>& grid = constants_.grid;
-        std::vector<Index> cells(static_cast<std::size_t>(grid.cells()), 0);
-        for (const Vec3& x : setup.ghosts.fixed().position) {
-            mark_around(cells, narrow<Real>(x), near_wall);
-        }
-        for (const Vec3& x : setup.ghosts.near_sac()) {
-            mark_around(cells, narrow<Real>(x), near_wall);
-        }
-        // A slab's ghosts can be anywhere behind their plane, as far as the slab goes.
-        for (const Opening& end : setup.vessel.openings()) {
-            for_each_place_behind(end, setup,
-                                  [&](const Vec3& x) { mark_around(cells, narrow<Real>(x), near_opening); });
-        }
-        mark_deep_cells(cells, setup);
-        executor_->upload(cell_property_.get(), cells.data(), cells.size());
-    }
-    /// The distance to the wall is at most that to the tubes, and grows by no more than the way. The cells at
-    /// the grid's edge go on for ever.
-    void mark_deep_cells(std::vector<Index>& cells, const Setup& setup) const
-    {
-        const Grid<Real>& grid = constants_.grid;
-        const Vec3 edge{1 / static_cast<double>(grid.per_x_width), 1 / static_cast<double>(grid.per_width),
-                        1 / static_cast<double>(grid.per_width)};
-        const Vec3 low{static_cast<double>(grid.low.x), static_cast<double>(grid.low.y),
-                       static_cast<double>(grid.low.z)};
-        const double deep = -1.01 * (0.5 * length(edge) + static_cast<double>(constants_.impact_band));
-        for (Index y = 1; y + 1 < grid.y_cells; ++y) {
-            for (Index z = 1; z + 1 < grid.z_cells; ++z) {
-                for (Index x = 1; x + 1 < grid.x_cells; ++x) {
-                    const Vec3 center =
-                        low + Vec3{(x + 0.5) * edge.x, (y + 0.5) * edge.y, (z + 0.5) * edge.z};
-                    if (setup.vessel.tubes(center).value < deep) {
-                        cells[static_cast<std::size_t>(grid.index(x, y, z))] |= deep_inside;
-                    }
-                }
-            }
-        }
-    }
-    /// Places half a cell apart, all around the slab behind an open end.
-    template <class Visit>
-    static void for_each_place_behind(const Opening& end, const Setup& setup, const Visit& visit)
-    {
-        const double step = setup.h;
-        const double reach = end.radius + 4 * step;
-        const int n = static_cast<int>(reach / step) + 1;
-        const int depth = static_cast<int>(opening_layers * setup.lattice.spacing / step) + 4;
-        const Vec3 e_1 = std::abs(end.outward.z) < 0.5 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-        const Vec3 e_2 = cross(end.outward, e_1);
-        for (int i = -n; i <= n; ++i) {
-            for (int j = -n; j <= n; ++j) {
-                for (int k = -2; k <= depth; ++k) {
-                    visit(end.center + step * (static_cast<double>(i) * e_1 + static_cast<double>(j) * e_2 +
-                                               static_cast<double>(k) * end.outward));
-                }
-            }
-        }
-    }
-    void mark_around(std::vector<Index>& cells, const Vec3T<Real>& x, CellProperty what) const
-    {
-        const Grid<Real>& grid = constants_.grid;
-        const auto around = [](Index c, Index reach, Index count) {
-            return std::pair{std::max(c - reach, Index{0}), std::min(c + reach, count - 1)};
-        };
-        const auto [z_low, z_high] = around(grid.z_cell(x.z), 1, grid.z_cells);
-        const auto [y_low, y_high] = around(grid.y_cell(x.y), 1, grid.y_cells);
-        const auto [x_low, x_high] = around(grid.x_cell(x.x), 2, grid.x_cells);
-        for (Index k = z_low; k <= z_high; ++k) {
-            for (Index j = y_low; j <= y_high; ++j) {
-                for (Index i = x_low; i <= x_high; ++i) {
-                    cells[static_cast<std::size_t>(grid.index(i, j, k))] |= what;
-                }
-            }
-        }
-    }
-
-    void connect()
-    {
-        Fields<Real>& f = fields_;
-        f.c = constants_;
-        f.scene = scene_.get();
-        f.inlet_velocities = inlet_.get();
-        f.position = position_.get();
-        f.velocity = velocity_.get();
-        f.pressure = pressure_.get();
-        f.kind = kind_.get();
-        f.density = density_.get();
-        f.solved_pressure = solved_pressure_.get();
-        f.event = event_.get();
-        f.body_position = body_position_.get();
-        f.body_velocity = body_velocity_.get();
-        f.body_x = body_x_.get();
-        f.body_y = body_y_.get();
-        f.body_z = body_z_.get();
-        f.is_mirror = is_mirror_.get();
-        f.key = key_.get();
-        f.sorted_key = sorted_key_.get();
-        f.order = order_.get();
-        f.start = start_.get();
-        f.wall_start = wall_start_.get();
-        f.cell_property = cell_property_.get();
-        f.wall_position = wall_position_.get();
-        f.free = {free_begin_.get(), free_blocks_.get(), free_body_.get(), free_body_.size() / lane_count};
-        f.ghosts = {ghost_begin_.get(), ghost_blocks_.get(), ghost_body_.get(),
-                    ghost_body_.size() / lane_count};
-        f.gradient = keep_gradients_ ? gradient_.get() : nullptr;
-        f.ghost_gradient = ghost_gradient_.get();
-        f.force = force_.get();
-        f.acceleration = acceleration_.get();
-        f.solved_velocity = solved_velocity_.get();
-        f.p = p_.get();
-        f.p_old = p_old_.get();
-        f.alpha = alpha_.get();
-        f.source = source_.get();
-        f.response = response_.get();
-        f.rate = rate_.get();
-        f.impact = impact_.get();
-        f.impact_eos = impact_eos_.get();
-        f.pattern = pattern_.get();
-        std::copy_n(fields_pattern_, 4, f.pattern_begin);
-        // Between a step's sort and its lists' counts these aren't needed as what they are.
-        f.flag = key_.get();
-        f.entering = sorted_key_.get();
-        f.reserve = free_blocks_.get();
-        f.rank = rank_.get();
-        f.entry_rank = entry_rank_.get();
+        executor_->upload(f.body_position + at, &place, 1);
+        executor_->upload(f.body_velocity + at, &values, 1);
+        executor_->upload(f.is_mirror + at, &mirror, 1);
+        executor_->upload(f.solved_velocity + at, &zeros, 1);
+        executor_->upload(f.p + at, &zero, 1);
     }
 
     Executor* executor_;
+    Memory<Executor> memory_;
+    Fields<Real> fields_;
+    Saved saved_;
+    FrameInput* input_ = nullptr;
+    double* inlet_velocities_ = nullptr;
     Index n_;
-    Constants<Real> constants_;
     Index steps_;
-    bool keep_gradients_ = false;
-    Index fields_pattern_[4] = {0, 0, 0, 0};
-    Fields<Real> fields_{constants_};
-    Array<Row<Real>> position_;
-    Array<Row<Real>> velocity_;
-    Array<Real> pressure_;
-    Array<Kind> kind_;
-    Array<Row<Real>> old_position_;
-    Array<Row<Real>> old_velocity_;
-    Array<Real> old_pressure_;
-    Array<Kind> old_kind_;
-    Array<Real> density_;
-    Array<Real> solved_pressure_;
-    Array<Index> event_;
-    Array<Row<Real>> body_position_;
-    Array<Row<Real>> body_velocity_;
-    Array<Real> body_x_;
-    Array<Real> body_y_;
-    Array<Real> body_z_;
-    Array<Index> is_mirror_;
-    Array<Index> key_;
-    Array<Index> sorted_key_;
-    Array<Index> order_;
-    Array<Index> start_;
-    Array<Index> wall_start_;
-    Array<Index> cell_property_;
-    Array<Row<Real>> wall_position_;
-    Array<Index> free_begin_;
-    Array<Index> free_blocks_;
-    Array<Index> ghost_begin_;
-    Array<Index> ghost_blocks_;
-    Array<Row<Real>> ghost_gradient_;
-    Array<Row<Real>> force_;
-    Array<Row<Real>> acceleration_;
-    Array<Row<Real>> solved_velocity_;
-    Array<Real> p_;
-    Array<Real> p_old_;
-    Array<Real> alpha_;
-    Array<Real> source_;
-    Array<Real> response_;
-    Array<Real> rate_;
-    Array<Real> impact_;
-    Array<Real> impact_eos_;
-    Array<Index> rank_;
-    Array<Index> entry_rank_;
-    Array<Scene> scene_;
-    Array<Scene> old_scene_;
-    Array<double> inlet_;
-    Array<FrameInput> input_;
-    Array<Row<Real>> pattern_;
-    Array<Index> free_body_;
-    Array<Index> ghost_body_;
-    Array<Real> gradient_;
+    bool keeps_gradients_;
 };
 
 } // namespace aneurysm::device

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cuda/boundary.hpp"
+#include "cuda/containment.hpp"
 #include "cuda/fields.hpp"
-#include "cuda/flow.hpp"
 #include "cuda/growth.hpp"
 #include "cuda/rupture.hpp"
 

@@ -17,7 +17,10 @@
 #include "cuda/lanes.hpp"
 
 #include <cstddef>
+#include <map>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace aneurysm::device
 {
@@ -130,6 +133,49 @@ private:
     Executor* executor_ = nullptr;
     Index size_ = 0;
     T* data_ = nullptr;
+};
+
+/// Arrays in device memory, which live as long as this.
+template <class Executor>
+class Memory
+{
+public:
+    explicit Memory(Executor& executor) : executor_(&executor) {}
+    Memory(const Memory&) = delete;
+    Memory& operator=(const Memory&) = delete;
+    ~Memory()
+    {
+        for (const auto& [data, bytes] : arrays_) {
+            executor_->release(data, bytes);
+        }
+    }
+
+    /// Makes `array` point to new memory; what it pointed to is given back. \return where to write to it
+    template <class T>
+    std::remove_const_t<T>* make(T*& array, Index size)
+    {
+        using Value = std::remove_const_t<T>;
+        auto* old = const_cast<Value*>(array); // NOLINT: it was made here
+        if (const auto found = arrays_.find(old); found != arrays_.end()) {
+            executor_->release(found->first, found->second);
+            arrays_.erase(found);
+        }
+        const std::size_t bytes = sizeof(T) * static_cast<std::size_t>(size > 0 ? size : 1);
+        auto* made = static_cast<Value*>(executor_->allocate(bytes));
+        arrays_.emplace(made, bytes);
+        array = made;
+        return made;
+    }
+    /// The same, and writes `values` to it.
+    template <class T>
+    void make(T*& array, const std::vector<std::remove_const_t<T>>& values)
+    {
+        executor_->upload(make(array, static_cast<Index>(values.size())), values.data(), values.size());
+    }
+
+private:
+    Executor* executor_;
+    std::map<void*, std::size_t> arrays_; ///< bytes of each
 };
 
 } // namespace aneurysm::device

@@ -54,8 +54,6 @@ struct Constants {
     Vec3T<Real> g{};
     Real kappa = 0; ///< of the equation of state
     Real omega = 0; ///< of the pressure's iteration
-    Real tolerance = 0;
-    Real max_tolerance = 0;
     Real blow_up_ratio = 0;
     Real impact_band = 0;      ///< [m]
     Real open_end = 0;         ///< nearer to an open end than this is not interior [m]
@@ -103,7 +101,7 @@ struct Scene {
     Fault fault;
     Index fault_particle;
     double fault_value;
-    Index free_blocks; ///< that the lists of this frame wanted
+    Index free_blocks; ///< that the lists of this frame wanted, at most in one step
     Index ghost_blocks;
 };
 

@@ -281,7 +281,7 @@ struct Iterate {
     {
         const Real p = projected(f, i);
         const Real next = p + static_cast<Real>(f.scene->solve_theta) * (p - f.p_old[i]);
-        f.p[i] = next > 0 ? next : 0;
+        f.p[i] = larger(next, Real(0));
         f.p_old[i] = p;
     }
 };

@@ -101,4 +101,24 @@ private:
     }
 };
 
+/// The lists' lengths are known now; without room for them the step goes on without particles, and the frame
+/// is run again, with room for the longest lists of its steps.
+template <class Real>
+struct CheckLists {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()() const
+    {
+        const Index free = f.free_count();
+        Scene& s = *f.scene;
+        s.free_blocks = larger(s.free_blocks, f.free.begin[free]);
+        s.ghost_blocks = larger(s.ghost_blocks, f.ghosts.begin[free]);
+        if (s.free_blocks > f.free.capacity || s.ghost_blocks > f.ghosts.capacity) {
+            s.fault = Fault::lists_full;
+            f.start[f.c.grid.cells()] = 0;
+            f.start[2 * f.c.grid.cells()] = 0;
+        }
+    }
+};
+
 } // namespace aneurysm::device

@@ -22,6 +22,9 @@ struct Tuning {
     /// m_j grad W_ij of all pairs: kept in memory, computed in every pass, or what the particle count
     /// suggests.
     enum class Gradients { automatic, kept, computed } gradients = Gradients::automatic;
+    /// Blocks of eight that there is room for at first, in the lists of free neighbours and in those of
+    /// ghosts; they grow when a frame needs more. 0: what a lattice needs.
+    int list_blocks = 0;
 };
 
 /// The whole model of the paper in device memory, frame by frame; the same physics as reference::Simulation.
@@ -49,8 +52,8 @@ public:
 
     /// Device memory in use [bytes]
     virtual std::size_t bytes() const = 0;
-    /// Pairs of the last step: places in the lists of free neighbours and of ghosts, what fills them up
-    /// included.
+    /// Pairs of the last frame's largest step: places in the lists of free neighbours and of ghosts, what
+    /// fills them up included.
     virtual std::pair<std::int64_t, std::int64_t> pairs() = 0;
     /// Seconds that each pass took since the last call, by name; empty where passes can't be told apart.
     virtual std::vector<std::pair<std::string, double>> take_profile() = 0;
