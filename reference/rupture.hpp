@@ -4,6 +4,7 @@
 // pressure [Pa].
 #pragma once
 
+#include "common/fault.hpp"
 #include "common/vec3.hpp"
 
 #include <cmath>
@@ -18,7 +19,7 @@ namespace aneurysm::reference
 ///     Sigma = P R / (2 h)                                                                     [Pa]
 inline double wall_stress(double P, double R, double h)
 {
-    return P * R / (2 * h);
+    return fault(eq08_force, P * R) / fault(eq08_thickness, 2 * h);
 }
 
 /// Eq. (9)  The wall thins as it grows, dh/h = -sigma dR/R:
@@ -26,7 +27,7 @@ inline double wall_stress(double P, double R, double h)
 ///     dh = -sigma h dR / R                                                                    [m]
 inline double thickness_differential(double sigma, double h, double R, double dR)
 {
-    return -sigma * h * dR / R;
+    return fault(eq09_loss, -sigma * h * dR) / fault(eq09_radius, R);
 }
 
 /// Eq. (10)  Porosity falls as the wall's volume V = 4 pi R^2 h rises; with (9) dV/V = (2 - sigma) dR/R:
@@ -34,7 +35,7 @@ inline double thickness_differential(double sigma, double h, double R, double dR
 ///     dphi = -dV / V = -(2 - sigma) dR / R                                                    [1]
 inline double porosity_differential(double sigma, double R, double dR)
 {
-    return -(2 - sigma) * dR / R;
+    return -(fault(eq10_sphere, 2.0) - fault(eq10_thinning, sigma)) * dR / fault(eq10_radius, R);
 }
 
 /// Eq. (11)  Stress of a ductile wall with voids:
@@ -42,7 +43,7 @@ inline double porosity_differential(double sigma, double R, double dR)
 ///     Sigma = -2/3 Y ln phi                                                                   [Pa]
 inline double stress_of_porosity(double Y, double phi)
 {
-    return -2.0 / 3.0 * Y * std::log(phi);
+    return fault(eq11_yield, -2.0 / 3.0 * Y) * fault(eq11_logarithm, std::log(fault(eq11_porosity, phi)));
 }
 
 /// Eq. (12)  How fast the radius grows with pressure, from (8)-(11):
@@ -52,7 +53,8 @@ inline double stress_of_porosity(double Y, double phi)
 /// Positive below the critical pressure (13), where it has its pole, and negative above.
 inline double radius_per_pressure(double P, double R, double h, double Y, double sigma, double phi)
 {
-    return R / (2 * h) / (2 * Y * (2 - sigma) / (3 * R * phi) - P * (1 + sigma) / (2 * h));
+    return fault(eq12_numerator, R / (2 * h)) / (fault(eq12_strength, 2 * Y * (2 - sigma) / (3 * R * phi)) -
+                                                 fault(eq12_load, P * (1 + sigma) / (2 * h)));
 }
 
 /// Eq. (13)  The pressure at which dR/dP becomes infinite:
@@ -60,7 +62,8 @@ inline double radius_per_pressure(double P, double R, double h, double Y, double
 ///     P_c = 4 h Y (2 - sigma) / (3 R phi (1 + sigma))                                         [Pa]
 inline double critical_pressure(double h, double R, double Y, double sigma, double phi)
 {
-    return 4 * h * Y * (2 - sigma) / (3 * R * phi * (1 + sigma));
+    return fault(eq13_strength, 4 * h * Y * (2 - sigma)) /
+           (fault(eq13_radius, 3 * R) * fault(eq13_porosity, phi) * (1 + fault(eq13_poisson, sigma)));
 }
 
 /// Eq. (14)  Impulse and momentum, F dt = m v, solved for the force:
@@ -68,7 +71,7 @@ inline double critical_pressure(double h, double R, double Y, double sigma, doub
 ///     F = m v / dt                                                                            [N]
 inline Vec3 impulse_force(double m, const Vec3& v, double dt)
 {
-    return m / dt * v;
+    return fault(eq14_mass, m) / fault(eq14_time, dt) * fault(eq14_velocity, v);
 }
 
 /// The impact of (16) and who made it.
@@ -99,7 +102,7 @@ inline Impact impact_force(std::span<const std::int64_t> S, double m, std::span<
 /// The criterion of section 3.2: the wall ruptures when F_b, taken as a pressure on `area`, exceeds P_c.
 inline bool ruptures(double F_b, double area, double P_c)
 {
-    return F_b / area > P_c;
+    return F_b / fault(eq16_area, area) > fault(eq16_resistance, P_c);
 }
 
 } // namespace aneurysm::reference

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included by common/fault.hpp where ANEURYSM_FAULTS is defined: the fault that is planted in this process,
+// and what it does to a value.
+#pragma once
+
+#include "common/vec3.hpp"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace aneurysm::faults
+{
+
+/// What kind of part of a formula a place is; it decides which kinds of fault make sense there.
+enum class Part : std::uint8_t {
+    term,      ///< of a sum; left out, it is 0
+    factor,    ///< of a product; left out, it is 1
+    limit,     ///< that something is compared with
+    condition, ///< left out, it holds always
+    count,     ///< a whole number
+    nought,    ///< a velocity that ought to be 0
+};
+
+enum class Kind : std::uint8_t {
+    coefficient, ///< (1 + size) x; of a velocity that ought to be 0: size in every direction [m/s]
+    sign,        ///< -x; of a condition: its opposite
+    power,       ///< |x|^(1 + size) with the sign of x; of a vector, the wrong index: (z, x, y)
+    dropped,     ///< left out
+    off_by_one,  ///< the value before: of the neighbour before in a sum, of the call before elsewhere; of a
+                 ///< count one too few
+};
+
+/// Where the hook is.
+enum class Side : std::uint8_t { reference, device };
+
+struct Fault {
+    Place place = place_count; ///< place_count: none
+    Side side = Side::reference;
+    Kind kind = Kind::coefficient;
+    double size = 0;
+};
+
+struct PlaceInfo {
+    std::string_view name;
+    Part part;
+    std::string_view text;
+};
+inline constexpr std::array<PlaceInfo, place_count> places{{
+#define ANEURYSM_PLACE(name, part, text) {#name, Part::part, text},
+    ANEURYSM_FAULT_PLACES(ANEURYSM_PLACE)
+#undef ANEURYSM_PLACE
+}};
+
+/// The one fault of this process; set it while nothing computes.
+inline Fault planted;
+/// The places that have been computed with, by side.
+inline std::array<std::array<std::atomic<bool>, place_count>, 2> visited{};
+
+/// Lanes, without their header: a vector of numbers in `v`.
+template <class T>
+concept Several = requires(T x)
+{
+    x.v[0];
+};
+template <Several T>
+inline constexpr std::size_t size_of = sizeof(T::v) / sizeof(std::declval<T>().v[0]);
+
+template <std::floating_point T>
+T scaled(T x, double by)
+{
+    return static_cast<T>(static_cast<double>(x) * by);
+}
+template <std::floating_point T>
+T with_power(T x, double exponent)
+{
+    const auto wide = static_cast<double>(x);
+    return static_cast<T>(std::copysign(std::pow(std::abs(wide), exponent), wide));
+}
+
+/// A number changed as `fault` says, but for the value before.
+template <std::floating_point T>
+T changed(const Fault& fault, T x)
+{
+    const Part part = places[fault.place].part;
+    switch (fault.kind) {
+    case Kind::coefficient:
+        return part == Part::nought ? static_cast<T>(fault.size) : scaled(x, 1 + fault.size);
+    case Kind::sign:
+        return -x;
+    case Kind::power:
+        return with_power(x, 1 + fault.size);
+    case Kind::dropped:
+        return part == Part::factor ? T(1) : T(0);
+    case Kind::off_by_one:
+        break;
+    }
+    return x;
+}
+inline bool changed(const Fault& fault, bool holds)
+{
+    return fault.kind == Kind::sign ? !holds : fault.kind == Kind::dropped || holds;
+}
+template <std::integral T>
+T changed(const Fault& fault, T count)
+{
+    return fault.kind == Kind::off_by_one ? count - 1 : count;
+}
+template <Several T>
+T changed(const Fault& fault, T x)
+{
+    for (std::size_t l = 0; l < size_of<T>; ++l) {
+        x.v[l] = changed(fault, x.v[l]);
+    }
+    return x;
+}
+template <class T>
+Vec3T<T> changed(const Fault& fault, const Vec3T<T>& x)
+{
+    if (fault.kind == Kind::power) {
+        return {x.z, x.x, x.y};
+    }
+    return {changed(fault, x.x), changed(fault, x.y), changed(fault, x.z)};
+}
+
+/// The value before `x`, when `previous` was the one of the call before.
+template <class T>
+T before(const T& previous, const T&)
+{
+    return previous;
+}
+template <Several T>
+T before(const T& previous, const T& x)
+{
+    T r = x;
+    for (std::size_t l = 0; l < size_of<T>; ++l) {
+        r.v[l] = l > 0 ? x.v[l - 1] : previous.v[size_of<T> - 1];
+    }
+    return r;
+}
+template <class T>
+Vec3T<T> before(const Vec3T<T>& previous, const Vec3T<T>& x)
+{
+    return {before(previous.x, x.x), before(previous.y, x.y), before(previous.z, x.z)};
+}
+/// Of the first call, its own.
+template <class T>
+T value_before(const T& x)
+{
+    thread_local std::optional<T> previous;
+    const T r = before(previous.value_or(x), x);
+    previous = x;
+    return r;
+}
+
+template <class T>
+T hooked(Side side, Place place, const T& x)
+{
+    visited[static_cast<std::size_t>(side)][place].store(true, std::memory_order_relaxed);
+    if (planted.place != place || planted.side != side) {
+        return x;
+    }
+    constexpr bool has_before = !std::integral<T> || std::same_as<T, bool>;
+    if (planted.kind == Kind::off_by_one && has_before) {
+        return value_before(x);
+    }
+    return changed(planted, x);
+}
+
+} // namespace aneurysm::faults
+
+namespace aneurysm::reference
+{
+template <class T>
+constexpr T fault(Place place, const T& value)
+{
+    return std::is_constant_evaluated() ? value : faults::hooked(faults::Side::reference, place, value);
+}
+} // namespace aneurysm::reference
+
+namespace aneurysm::device
+{
+template <class T>
+constexpr T fault(Place place, const T& value)
+{
+    return std::is_constant_evaluated() ? value : faults::hooked(faults::Side::device, place, value);
+}
+} // namespace aneurysm::device
