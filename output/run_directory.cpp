@@ -2,14 +2,13 @@
 #include "output/run_directory.hpp"
 
 #include "common/error.hpp"
-#include "output/build_info.hpp"
 #include "output/frames.hpp"
+#include "output/provenance.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
-#include <ctime>
 
 namespace aneurysm::output
 {
@@ -23,16 +22,6 @@ constexpr const char* manifest_name = "manifest.json";
 constexpr const char* hashes_name = "hashes.csv";
 constexpr const char* series_name = "particles.vtkhdf.series";
 constexpr std::array status_names{"running", "finished", "interrupted", "failed"};
-
-std::string now_utc()
-{
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    std::array<char, 32> text{};
-    const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return {text.data(), size};
-}
 
 std::string particle_file(std::int64_t frame)
 {
@@ -175,13 +164,7 @@ void RunDirectory::close(RunStatus status, const std::string& message)
 
 void RunDirectory::write_manifest(RunStatus status, const std::string& message) const
 {
-    const BuildInfo build = build_info();
-    Json json;
-    json["program"] = "aneurysm";
-    json["version"] = build.version;
-    json["commit"] = build.commit;
-    json["compiler"] = build.compiler;
-    json["flags"] = build.flags;
+    Json json = provenance();
     json["backend"] = engine_.backend;
     json["precision"] = engine_.precision;
     json["device"] = engine_.device;

@@ -2,6 +2,7 @@
 #include "verification/compare.hpp"
 
 #include "common/error.hpp"
+#include "output/columns.hpp"
 #include "output/file.hpp"
 #include "verification/backend_for.hpp"
 #include "verification/bits.hpp"
@@ -154,12 +155,10 @@ ComparisonResult Comparison::run()
 {
     const bool free = options_.mode == "free";
     const std::int64_t runs = free ? options_.ensemble + 2 : 1; // candidate, reference, ensemble
-    Progress progress(0, options_.from + runs * frames_);
-    FrameRecord shown;
+    Progress progress("frame", 0, options_.from + runs * frames_);
+    std::int64_t shown = 0;
     const AfterFrame after_frame = [&](const FrameRecord& record) {
-        ++shown.frame;
-        shown.phase = record.phase;
-        progress.show(shown);
+        progress.show(++shown, output::name_of(record.phase));
         return !InterruptWatch::interrupted();
     };
     ComparisonResult result;

@@ -6,6 +6,7 @@
 #include "output/build_info.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/rupture.hpp"
+#include "verification/suite_summary.hpp"
 
 #include <cmath>
 #include <iomanip>
@@ -16,19 +17,6 @@ namespace aneurysm::verification
 {
 namespace
 {
-
-std::string_view name_of(Status status)
-{
-    switch (status) {
-    case Status::printed:
-        return "printed";
-    case Status::reconstructed:
-        return "reconstructed";
-    case Status::assumed:
-        return "assumed";
-    }
-    return "";
-}
 
 /// Lines "name   value unit".
 class Lines

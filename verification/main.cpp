@@ -5,6 +5,7 @@
 #include "verification/compare.hpp"
 #include "verification/info.hpp"
 #include "verification/run.hpp"
+#include "verification/verify.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +20,7 @@ using namespace aneurysm;
 using verification::BackendChoice;
 using verification::CompareOptions;
 using verification::RunOptions;
+using verification::VerifyOptions;
 
 struct InfoOptions {
     std::string scenario;
@@ -83,6 +85,30 @@ CLI::App* add_compare(CLI::App& app, CompareOptions& options)
     return compare;
 }
 
+CLI::App* add_verify(CLI::App& app, VerifyOptions& options)
+{
+    CLI::App* verify = app.add_subcommand("verify", "Check every equation, and write a report");
+    verify->add_option("--out", options.out, "directory for the reports; must not exist, or be empty")
+        ->required();
+    CLI::Option* quick = verify->add_flag("--quick", options.quick, "the checks that take seconds (default)");
+    verify->add_flag("--full", options.full, "all checks, minutes")->excludes(quick);
+    verify->add_option("--only", options.only, "words of checks, equations (13) and levels (L2), by commas")
+        ->delimiter(',');
+    verify->add_option("--backend", options.backends, "only these: reference, cpu, cuda (default: all)")
+        ->delimiter(',');
+    verify->add_option("--precision", options.precisions, "of cpu and cuda: double, float (default: both)")
+        ->delimiter(',');
+    verify->add_option("--jobs", options.jobs, "checks at once; 0: as many as there are cores")
+        ->capture_default_str();
+    verify->footer(
+        "Examples:\n"
+        "  aneurysm verify --out results/verify\n"
+        "  aneurysm verify --full --only eq13,L2 --backend cpu --precision float --out results/verify\n"
+        "Exit codes: 0 all hold, 1 failed, 2 bad input, 3 something doesn't hold, 130 interrupted\n"
+        "(the reports say what there was).");
+    return verify;
+}
+
 CLI::App* add_info(CLI::App& app, InfoOptions& options)
 {
     CLI::App* info =
@@ -117,8 +143,10 @@ int parse_and_run(int argc, char** argv)
     RunOptions run_options;
     InfoOptions info_options;
     CompareOptions compare_options;
+    VerifyOptions verify_options;
     const CLI::App* run = add_run(app, run_options);
     const CLI::App* compare = add_compare(app, compare_options);
+    const CLI::App* verify = add_verify(app, verify_options);
     const CLI::App* info = add_info(app, info_options);
     try {
         app.parse(argc, argv);
@@ -133,6 +161,9 @@ int parse_and_run(int argc, char** argv)
     }
     if (compare->parsed()) {
         return verification::compare(compare_options);
+    }
+    if (verify->parsed()) {
+        return verification::verify(verify_options);
     }
     if (!info->parsed()) {
         throw InputError("command line", "no subcommand given", "see aneurysm --help");

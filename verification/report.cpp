@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/report.hpp"
 
-#include "output/build_info.hpp"
 #include "output/columns.hpp"
+#include "output/provenance.hpp"
+#include "verification/json.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -15,20 +13,12 @@ namespace aneurysm::verification
 namespace
 {
 
-using Json = nlohmann::ordered_json;
-
 std::string verdict(const FieldResult& field)
 {
     if (field.worst.compared == 0) {
         return "NOTHING COMPARED";
     }
     return field.worst.failed == 0 ? "pass" : "FAIL";
-}
-
-/// JSON has no infinity.
-Json number(double x)
-{
-    return std::isfinite(x) ? Json(x) : Json(std::isnan(x) ? "nan" : "infinite");
 }
 
 std::string phases_text(const ComparisonResult& result)
@@ -72,16 +62,16 @@ Json fields_json(const ComparisonResult& result)
     for (const FieldResult& f : result.fields) {
         Json ratios = Json::array();
         for (const double r : f.ratios) {
-            ratios.push_back(number(r));
+            ratios.push_back(json_number(r));
         }
         fields.push_back({{"name", f.worst.name},
                           {"compared", f.worst.compared},
                           {"failed", f.worst.failed},
                           {"worst_particle", f.worst.particle},
                           {"worst_frame", f.frame},
-                          {"measured", number(f.worst.measured)},
-                          {"allowed", number(f.worst.allowed)},
-                          {"ratio", number(f.worst.ratio)},
+                          {"measured", json_number(f.worst.measured)},
+                          {"allowed", json_number(f.worst.allowed)},
+                          {"ratio", json_number(f.worst.ratio)},
                           {"verdict", verdict(f)},
                           {"worst_ratio_by_frame", ratios}});
     }
@@ -121,13 +111,7 @@ std::string report_text(const ComparisonTitle& title, const ComparisonResult& re
 
 std::string report_json(const ComparisonTitle& title, const ComparisonResult& result)
 {
-    const output::BuildInfo build = output::build_info();
-    Json json;
-    json["program"] = "aneurysm";
-    json["version"] = build.version;
-    json["commit"] = build.commit;
-    json["compiler"] = build.compiler;
-    json["flags"] = build.flags;
+    Json json = output::provenance();
     json["mode"] = title.mode;
     json["scenario"] = title.scenario;
     json["scenario_hash"] = title.scenario_hash;
@@ -148,7 +132,7 @@ std::string report_json(const ComparisonTitle& title, const ComparisonResult& re
     json["problems"] = result.problems;
     json["notes"] = result.notes;
     json["fields"] = fields_json(result);
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(json);
 }
 
 } // namespace aneurysm::verification

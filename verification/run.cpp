@@ -2,6 +2,7 @@
 #include "verification/run.hpp"
 
 #include "common/error.hpp"
+#include "output/columns.hpp"
 #include "output/frames.hpp"
 #include "output/run_directory.hpp"
 #include "verification/backend_for.hpp"
@@ -90,7 +91,7 @@ class Loop
 public:
     Loop(const Start& start, Backend& backend, RunDirectory& directory)
         : start_(start), backend_(backend), directory_(directory),
-          progress_(backend.state().frame, start.frames)
+          progress_("frame", backend.state().frame, start.frames)
     {
     }
 
@@ -104,7 +105,7 @@ public:
             const FrameRecord record = backend_.advance();
             directory_.append(record, backend_.state());
             write_due(record.frame);
-            progress_.show(record);
+            progress_.show(record.frame, output::name_of(record.phase));
         }
         save_state();
         return backend_.state().frame >= start_.frames;
@@ -120,7 +121,7 @@ public:
     }
 
     std::int64_t frame() const { return backend_.state().frame; }
-    double frames_per_second() const { return progress_.frames_per_second(backend_.state().frame); }
+    double frames_per_second() const { return progress_.per_second(backend_.state().frame); }
 
 private:
     void write_due(std::int64_t frame)

@@ -19,8 +19,6 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* interruption = "interrupted";
-
 double seconds_since(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();

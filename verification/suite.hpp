@@ -19,6 +19,9 @@ enum class Verdict {
     not_run, ///< the message says why
 };
 
+/// The message of what Ctrl-C kept from being done.
+inline constexpr const char* interruption = "interrupted";
+
 /// What came of one check for one subject.
 struct CheckResult {
     const Check* check = nullptr;

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's sections on single checks, and the ledger of all bounds.
+#include "verification/suite_html.hpp"
+#include "verification/svg_plot.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+using Results = std::vector<const CheckResult*>; ///< of one check, by subject
+
+/// Each check with its results, in their order.
+std::vector<Results> by_check(const SuiteReport& report)
+{
+    std::vector<Results> groups;
+    for (const CheckResult& r : report.suite.results) {
+        if (groups.empty() || groups.back().front()->check != r.check) {
+            groups.emplace_back();
+        }
+        groups.back().push_back(&r);
+    }
+    return groups;
+}
+
+const Quantity* find(const CheckResult& r, const std::string& name)
+{
+    const auto found = std::ranges::find(r.quantities, name, &Quantity::name);
+    return found == r.quantities.end() ? nullptr : &*found;
+}
+
+/// The quantities of all subjects, each name once.
+std::vector<const Quantity*> quantities_of(const Results& results)
+{
+    std::vector<const Quantity*> all;
+    for (const CheckResult* r : results) {
+        for (const Quantity& q : r->quantities) {
+            if (std::ranges::none_of(all, [&](const Quantity* p) { return p->name() == q.name(); })) {
+                all.push_back(&q);
+            }
+        }
+    }
+    return all;
+}
+
+/// How the bound follows; where subjects have different ones, each with its subjects.
+Markup derivations(const Results& results, const Quantity& quantity)
+{
+    std::vector<std::pair<std::string, std::string>> texts; // derivation, subjects
+    for (const CheckResult* r : results) {
+        const Quantity* q = find(*r, quantity.name());
+        if (q == nullptr) {
+            continue;
+        }
+        const auto known =
+            std::ranges::find(texts, q->derivation(), &std::pair<std::string, std::string>::first);
+        if (known == texts.end()) {
+            texts.emplace_back(q->derivation(), r->subject);
+        } else {
+            known->second.append(", ").append(r->subject);
+        }
+    }
+    Markup result;
+    for (const auto& [derivation, subjects] : texts) {
+        result << element("div", {}, texts.size() > 1 ? subjects + ": " : std::string(), derivation);
+    }
+    return result;
+}
+
+Markup ratio_cell(const Quantity* q)
+{
+    if (q == nullptr) {
+        return cell(element("span", {{"class", "weak"}}, "–"));
+    }
+    Markup content = mark(q->passed() ? Verdict::holds : Verdict::fails, shown(q->worst().ratio));
+    if (q->loose()) {
+        content << element("span", {{"class", "warn"}}, " loose");
+    }
+    return number_cell(content);
+}
+
+Markup quantity_table(const Results& results)
+{
+    std::vector<std::string> head{"quantity", "bound from", "how the bound follows"};
+    for (const CheckResult* r : results) {
+        head.push_back(r->subject);
+    }
+    Markup rows;
+    for (const Quantity* q : quantities_of(results)) {
+        Markup cells;
+        for (const CheckResult* r : results) {
+            cells << ratio_cell(find(*r, q->name()));
+        }
+        rows << row(cell(q->name()), cell(name_of(q->source())),
+                    element("td", {{"class", "long"}}, derivations(results, *q)), cells);
+    }
+    return rows.empty() ? Markup() : table(head, rows);
+}
+
+Markup verdicts(const Results& results)
+{
+    Markup items;
+    for (const CheckResult* r : results) {
+        items << element("li", {}, r->subject, ": ", mark(r->verdict),
+                         r->message.empty() ? "" : ": " + r->message,
+                         element("span", {{"class", "weak"}}, " (", shown(r->seconds), " s)"));
+    }
+    return element("ul", {}, items);
+}
+
+Markup notes(const Results& results)
+{
+    Markup items;
+    for (const CheckResult* r : results) {
+        for (const Note& n : r->notes) {
+            items << element("li", {}, r->subject, ": ", n.name, " = ", shown_value(n.value),
+                             n.remark.empty() ? "" : "; " + n.remark);
+        }
+    }
+    return items.empty() ? Markup()
+                         : element("p", {}, "Worth reading, without a bound:") << element("ul", {}, items);
+}
+
+Markup plots(const Results& results)
+{
+    Markup figures;
+    for (const CheckResult* r : results) {
+        for (const Plot& plot : r->plots) {
+            figures << element("figure", {}, element("figcaption", {}, plot.title, " (", r->subject, ")"),
+                               svg(plot))
+                    << "\n";
+        }
+    }
+    return figures;
+}
+
+Markup equations_of(const Check& check)
+{
+    Markup text;
+    for (const Equation& e : equations) {
+        if (std::ranges::find(check.equations, e.id) != check.equations.end()) {
+            text << (text.empty() ? "" : ", ") << number_of(e) << " " << e.title;
+        }
+    }
+    return text.empty() ? Markup("no equation by itself") : text;
+}
+
+Markup oracles_of(const Check& check)
+{
+    Markup text;
+    for (const std::string_view oracle : check.oracles) {
+        text << (text.empty() ? "" : "; ") << oracle;
+    }
+    return text;
+}
+
+Markup check_article(const Results& results)
+{
+    const Check& check = *results.front()->check;
+    return element("article", {{"id", "check-" + std::string(check.id)}},
+                   element("h4", {}, element("code", {}, check.id), " ", check.title),
+                   element("p", {}, "Looks at ", equations_of(check), ". Compared with: ", oracles_of(check),
+                           "."),
+                   verdicts(results), quantity_table(results), notes(results), plots(results))
+           << "\n";
+}
+
+/// A line of the ledger.
+Markup ledger_row(const CheckResult& r, const Quantity& q)
+{
+    const Quantity::Worst& w = q.worst();
+    const Markup remark = q.passed() ? (q.loose() ? element("span", {{"class", "warn"}}, "loose") : Markup())
+                                     : element("span", {{"class", "fails"}},
+                                               std::to_string(q.failed()) + " not within the bound");
+    return row(cell(r.subject), number_cell(std::to_string(q.compared())), number_cell(shown_value(w.value)),
+               number_cell(shown_value(w.expected)), number_cell(shown(w.error)),
+               number_cell(shown(w.allowed)), number_cell(shown(w.ratio)), cell(w.where), cell(remark));
+}
+
+Markup ledger_rows(const Results& results)
+{
+    Markup rows;
+    for (const Quantity* q : quantities_of(results)) {
+        rows << element("tr", {{"class", "group"}},
+                        element("th", {{"colspan", "9"}}, check_link(*results.front()->check), ": ",
+                                q->name(),
+                                element("div", {{"class", "weak"}}, "bound from ", name_of(q->source()), ": ",
+                                        derivations(results, *q))));
+        for (const CheckResult* r : results) {
+            if (const Quantity* own = find(*r, q->name())) {
+                rows << ledger_row(*r, *own);
+            }
+        }
+        rows << "\n";
+    }
+    return rows;
+}
+
+} // namespace
+
+Markup checks_section(const SuiteReport& report)
+{
+    Markup result = element("h2", {}, "Check by check");
+    const Check* previous = nullptr;
+    for (const Results& results : by_check(report)) {
+        const Check* check = results.front()->check;
+        if (previous == nullptr || previous->level != check->level) {
+            result << element("h3", {}, level_heading(check->level))
+                   << element("p", {}, meaning_of(check->level));
+        }
+        previous = check;
+        result << check_article(results);
+    }
+    return element("section", {{"id", "checks"}}, result);
+}
+
+Markup ledger_section(const SuiteReport& report)
+{
+    Markup rows;
+    for (const Results& results : by_check(report)) {
+        rows << ledger_rows(results);
+    }
+    return element(
+        "section", {{"id", "ledger"}}, element("h2", {}, "Every number and its bound"),
+        element("p", {},
+                "For each quantity the instance that came closest to its bound, or exceeded it most: what "
+                "the program computed, what was expected, the difference measured and the one allowed."),
+        table({"version", "compared", "computed", "expected", "measured", "allowed", "measured/allowed",
+               "where", ""},
+              rows));
+}
+
+} // namespace aneurysm::verification

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page's table of equations, and what its words mean.
+#include "output/build_info.hpp"
+#include "verification/suite_html.hpp"
+
+#include <algorithm>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+Markup subject_cell(const EquationCell& c)
+{
+    using State = EquationCell::State;
+    switch (c.state) {
+    case State::holds:
+        return number_cell(mark(Verdict::holds, shown(c.tally.ratio)));
+    case State::fails:
+        return number_cell(mark(Verdict::fails, shown(c.tally.ratio)));
+    case State::not_run:
+        return element("td", {{"class", "weak"}, {"title", c.remark}}, "not run");
+    case State::shared:
+        return element("td", {{"class", "weak"}}, c.remark);
+    case State::none:
+        break;
+    }
+    return element("td", {{"class", "weak"}}, "–");
+}
+
+Markup verdict_cell(const EquationSummary& e)
+{
+    switch (e.verdict) {
+    case EquationVerdict::holds:
+        return cell(mark(Verdict::holds));
+    case EquationVerdict::fails:
+        return cell(mark(Verdict::fails));
+    case EquationVerdict::not_checked:
+    case EquationVerdict::no_check:
+        break;
+    }
+    return element("td", {{"class", "fails"}}, name_of(e.verdict), ": ", e.remark);
+}
+
+bool was_chosen(const SuiteReport& report, const Check* check)
+{
+    return std::ranges::any_of(report.suite.results, [&](const CheckResult& r) { return r.check == check; });
+}
+
+/// Checks, those that were not chosen without a link; and what they compare with, each once.
+Markup checks_cell(const SuiteReport& report, const EquationSummary& e)
+{
+    Markup content;
+    for (const Check* check : e.checks) {
+        content << (content.empty() ? "" : ", ")
+                << (was_chosen(report, check) ? check_link(*check)
+                                              : Markup() << check->id << " (not chosen)");
+    }
+    return cell(content);
+}
+
+Markup oracles_cell(const SuiteReport& report, const EquationSummary& e)
+{
+    std::vector<std::string_view> oracles;
+    for (const Check* check : e.checks) {
+        for (const std::string_view oracle : check->oracles) {
+            if (was_chosen(report, check) && std::ranges::find(oracles, oracle) == oracles.end()) {
+                oracles.push_back(oracle);
+            }
+        }
+    }
+    Markup content;
+    for (const std::string_view oracle : oracles) {
+        content << (content.empty() ? "" : "; ") << oracle;
+    }
+    return element("td", {{"class", "long"}}, content);
+}
+
+template <class Enum>
+Markup definitions(Enum last)
+{
+    Markup list;
+    for (int n = 0; n <= static_cast<int>(last); ++n) {
+        const auto item = static_cast<Enum>(n);
+        Markup term = name_of(item);
+        if constexpr (std::is_same_v<Enum, Level>) {
+            term = level_heading(item);
+        }
+        list << element("dt", {}, term) << element("dd", {}, meaning_of(item));
+    }
+    return element("dl", {}, list);
+}
+
+} // namespace
+
+Markup equations_section(const SuiteReport& report)
+{
+    std::vector<std::string> head{"", "equation", "verdict"};
+    for (const SuiteSubject& s : report.suite.subjects) {
+        head.push_back(s.subject.name());
+    }
+    head.insert(head.end(), {"how the printed formula is read", "checks", "compared with"});
+    Markup rows;
+    for (const EquationSummary& e : report.equations) {
+        Markup cells;
+        for (const EquationCell& c : e.cells) {
+            cells << subject_cell(c);
+        }
+        const std::string deviation(e.equation->deviation);
+        rows << row(cell(number_of(*e.equation)), cell(e.equation->title), verdict_cell(e), cells,
+                    element("td", {{"class", "long"}}, element("b", {}, name_of(e.equation->status)),
+                            deviation.empty() ? "" : ": " + deviation),
+                    checks_cell(report, e), oracles_cell(report, e))
+             << "\n";
+    }
+    return element("section", {{"id", "equations"}}, element("h2", {}, "Equation by equation"),
+                   element("p", {},
+                           "The numbers under the versions are the largest measured/allowed of all checks of "
+                           "the equation: 0.3 "
+                           "says that the difference found was 30 % of what is allowed. The formulas of the "
+                           "fast version are the "
+                           "same functions in 16 and in 7 digits and are checked once by themselves; its "
+                           "flows are checked in "
+                           "both. A formula is read as printed, or reconstructed where signs and fractions "
+                           "are lost in print, or "
+                           "assumed where the paper leaves a rule open."),
+                   table(head, rows));
+}
+
+Markup about_section(const SuiteReport& report)
+{
+    const output::BuildInfo build = output::build_info();
+    return element(
+        "section", {{"id", "about"}}, element("h2", {}, "How to read and repeat this"),
+        element("h3", {}, "The six levels"), definitions(Level::executors),
+        element("h3", {}, "What “holds” means"),
+        element(
+            "p", {},
+            "A check holds when it compared at least one number for each of its quantities and every "
+            "difference is "
+            "at most the allowed one. A check that compared nothing, met a value that is no number, or "
+            "stopped "
+            "with an error fails. An equation holds when at least one check of it was run for at least one "
+            "version "
+            "of the program and none fails; the table says for which versions. What was not run is neither."),
+        element("h3", {}, "Where allowed differences come from"), definitions(Source::statistics),
+        element("p", {}, "A bound is marked ", element("span", {{"class", "warn"}}, "loose"),
+                " when it is more than 1,000 times what was found, and more than one rounding of the number: "
+                "it may "
+                "be larger than it need be, and hide a small fault."),
+        element("h3", {}, "How to repeat it"), element("p", {}, element("code", {}, report.command)),
+        element("p", {},
+                "The same build on the same kind of processor gives the same numbers; the other files beside "
+                "this one "
+                "are report.json (everything, for programs), report.md and junit.xml."),
+        element("p", {{"class", "weak"}}, "Commit ", build.commit, "; ", build.compiler, " ",
+                element("code", {}, build.flags), "; ", report.machine, "; ", std::to_string(report.threads),
+                " checks at once; ", report.date, "."));
+}
+
+} // namespace aneurysm::verification

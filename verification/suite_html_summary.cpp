@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first screen of the page, for readers who don't know the code.
+#include "verification/suite_html.hpp"
+
+#include <algorithm>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+/// 12345 -> "12,345"
+std::string grouped(std::int64_t n)
+{
+    std::string text = std::to_string(n);
+    for (auto place = static_cast<std::int64_t>(text.size()) - 3; place > 0; place -= 3) {
+        text.insert(static_cast<std::size_t>(place), ",");
+    }
+    return text;
+}
+
+std::string percent(double ratio)
+{
+    return ratio > 0 ? shown(100 * ratio).append(" %") : ratio == 0 ? "0 %" : "-";
+}
+
+Markup banner(const SuiteReport& report)
+{
+    const SuiteResult& suite = report.suite;
+    const bool good = passed(suite);
+    const std::string text = !suite.complete           ? "Interrupted: this report is incomplete. "
+                             : good                    ? "Everything that was checked holds. "
+                             : tally(suite).holds == 0 ? "Nothing holds. "
+                                                       : "Something fails. ";
+    return element("p", {{"class", good ? "verdict holds" : "verdict fails"}}, good ? "✓ " : "✗ ", text,
+                   headline(report.equations), ".")
+           << "\n";
+}
+
+Markup figures(const SuiteReport& report)
+{
+    const Tally t = tally(report.suite);
+    const auto hold = std::ranges::count(report.equations, EquationVerdict::holds, &EquationSummary::verdict);
+    const auto item = [](const std::string& number, const std::string& what) {
+        return element("li", {}, element("b", {}, number), what);
+    };
+    return element(
+               "ul", {{"class", "figures"}},
+               item(std::to_string(hold) + " of " + std::to_string(report.equations.size()),
+                    "equations hold"),
+               item(grouped(t.compared), "numbers compared with an independent answer"),
+               item(std::to_string(t.fails), "checks fail"),
+               item(percent(t.ratio), "of the allowed difference used by the number that came closest to it"))
+           << "\n";
+}
+
+std::string described(const SuiteSubject& s)
+{
+    const std::string& name = s.subject.choice.name;
+    const std::string& precision = s.subject.choice.precision;
+    if (name == "reference") {
+        return "the plain version, which reads like the paper; 16 digits";
+    }
+    return std::string("the fast version on ") + (name == "cpu" ? "a processor" : "a graphics card (GPU)") +
+           (precision == "double" ? "; 16 digits" : "; 7 digits");
+}
+
+Markup subjects_table(const SuiteReport& report)
+{
+    Markup rows;
+    for (const SuiteSubject& s : report.suite.subjects) {
+        Tally t;
+        for (const CheckResult& r : report.suite.results) {
+            if (r.subject == s.subject.name()) {
+                t.add(r);
+            }
+        }
+        const bool missing = !s.missing.empty();
+        rows << row(cell(s.subject.name()), cell(described(s)), number_cell(std::to_string(t.holds)),
+                    number_cell(std::to_string(t.fails)), number_cell(std::to_string(t.not_run)),
+                    number_cell(percent(t.ratio)), cell(missing ? "not checked: " + s.missing : s.device));
+    }
+    return table({"version", "what it is", "checks hold", "fail", "not run", "used of its bound, at most",
+                  "where it ran"},
+                 rows);
+}
+
+Markup levels_table(const SuiteReport& report)
+{
+    Markup rows;
+    for (int n = 0; n <= static_cast<int>(Level::executors); ++n) {
+        const auto level = static_cast<Level>(n);
+        const Tally t = tally(report.suite, level);
+        Markup closest = "nothing compared";
+        if (t.closest != nullptr) {
+            const Quantity::Worst& w = t.closest->worst();
+            closest = Markup() << t.closest->name() << ": " << shown(w.error) << " off, " << shown(w.allowed)
+                               << " allowed (" << check_link(*t.where->check) << ", " << t.where->subject
+                               << ")";
+        }
+        rows << row(cell(level_heading(level)), number_cell(grouped(t.compared)),
+                    number_cell(std::to_string(t.fails)), number_cell(percent(t.ratio)), cell(closest));
+    }
+    return table({"level", "numbers compared", "checks that fail", "used of its bound, at most",
+                  "the number that came closest"},
+                 rows);
+}
+
+Markup unchecked(const SuiteReport& report)
+{
+    Markup items;
+    for (const EquationSummary& e : report.equations) {
+        if (e.verdict == EquationVerdict::not_checked || e.verdict == EquationVerdict::no_check) {
+            items << element("li", {}, "Equation ", number_of(*e.equation), ", ", e.equation->title, ": ",
+                             e.remark, ".");
+        }
+    }
+    for (const Reason& reason : not_run(report.suite)) {
+        items << element("li", {}, reason.who, ": ", reason.why, ".");
+    }
+    items << element(
+        "li", {},
+        "Whether the paper's model describes an aneurysm in a patient. This report is about the program: "
+        "does it compute what the paper's equations say?");
+    return element("ul", {}, items) << "\n";
+}
+
+} // namespace
+
+Markup summary_section(const SuiteReport& report)
+{
+    const SuiteResult& suite = report.suite;
+    return element(
+        "section", {{"id", "summary"}}, banner(report),
+        element(
+            "p", {},
+            "The program simulates how an aneurysm, a bulge in an artery, grows and bursts. Blood is many "
+            "small "
+            "particles that push one another (smoothed particle hydrodynamics). The model is that of one "
+            "paper "
+            "(Wu et al., Mathematics 2025, 13(15), 2439, doi 10.3390/math13152439): 28 numbered equations "
+            "and an "
+            "equation of state. For each, this report compares what the program computes with answers found "
+            "independently of it: formulas derived by hand, and numbers from the GNU Scientific Library."),
+        figures(report),
+        element(
+            "p", {},
+            "No computer meets an answer to the last digit, so a difference is allowed for every number. How "
+            "large it may be is never chosen by feel: it follows from a stated reason, such as the number of "
+            "roundings behind the number, which is printed beside it. A number that used 30 % of its allowed "
+            "difference is well inside; above 100 % is a failure."),
+        element("h3", {}, "Which versions of the program"), subjects_table(report),
+        element("h3", {}, "How exactly"), levels_table(report), element("h3", {}, "What was not checked"),
+        unchecked(report),
+        element("p", {{"class", "weak"}}, report.selection, ". ", report.date, ", ", shown(suite.seconds),
+                " s on ", report.machine, "."));
+}
+
+} // namespace aneurysm::verification

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/provenance.hpp"
+#include "verification/json.hpp"
+#include "verification/suite_report.hpp"
+
+#include <array>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+/// An array of what f makes of each.
+template <class Range, class F>
+Json array_of(const Range& range, const F& f)
+{
+    Json array = Json::array();
+    for (const auto& x : range) {
+        array.push_back(f(x));
+    }
+    return array;
+}
+
+Json to_json(const Quantity& q)
+{
+    const Quantity::Worst& w = q.worst();
+    return {{"name", q.name()},
+            {"source", name_of(q.source())},
+            {"derivation", q.derivation()},
+            {"compared", q.compared()},
+            {"failed", q.failed()},
+            {"passed", q.passed()},
+            {"loose", q.loose()},
+            {"worst",
+             {{"where", w.where},
+              {"value", json_number(w.value)},
+              {"expected", json_number(w.expected)},
+              {"measured", json_number(w.error)},
+              {"allowed", json_number(w.allowed)},
+              {"ratio", q.compared() > 0 ? json_number(w.ratio) : Json()}}}};
+}
+
+Json to_json(const Series& s)
+{
+    return {{"name", s.name},
+            {"line", s.line},
+            {"x", array_of(s.x, json_number)},
+            {"y", array_of(s.y, json_number)}};
+}
+
+Json to_json(const Plot& p)
+{
+    return {
+        {"title", p.title},     {"x_label", p.x_label},
+        {"y_label", p.y_label}, {"log_x", p.log_x},
+        {"log_y", p.log_y},     {"series", array_of(p.series, [](const Series& s) { return to_json(s); })}};
+}
+
+Json to_json(const Check& c)
+{
+    static constexpr std::array scopes{"equations", "flows", "once"};
+    return {{"id", c.id},
+            {"level", "L" + std::to_string(static_cast<int>(c.level))},
+            {"equations", c.equations},
+            {"title", c.title},
+            {"oracles", c.oracles},
+            {"scope", scopes.at(static_cast<std::size_t>(c.scope))},
+            {"quick", c.quick}};
+}
+
+Json to_json(const CheckResult& r)
+{
+    Json json = to_json(*r.check);
+    json["subject"] = r.subject;
+    json["verdict"] = name_of(r.verdict);
+    json["message"] = r.message;
+    json["seconds"] = r.seconds;
+    json["quantities"] = array_of(r.quantities, [](const Quantity& q) { return to_json(q); });
+    json["notes"] = array_of(r.notes, [](const Note& n) {
+        return Json{{"name", n.name}, {"value", json_number(n.value)}, {"remark", n.remark}};
+    });
+    json["plots"] = array_of(r.plots, [](const Plot& p) { return to_json(p); });
+    return json;
+}
+
+Json to_json(const EquationSummary& e)
+{
+    return {{"id", e.equation->id},
+            {"title", e.equation->title},
+            {"reading", name_of(e.equation->status)},
+            {"deviation", e.equation->deviation},
+            {"verdict", name_of(e.verdict)},
+            {"remark", e.remark},
+            {"checks", array_of(e.checks, [](const Check* c) { return c->id; })},
+            {"own_checks", array_of(e.checks, [](const Check* c) { return c->scope != Scope::once; })}};
+}
+
+Json to_json(const SuiteSubject& s)
+{
+    return {{"name", s.subject.name()},
+            {"device", s.device},
+            {"missing", s.missing},
+            {"roundoff", s.subject.roundoff}};
+}
+
+} // namespace
+
+std::string suite_json(const SuiteReport& report)
+{
+    const Tally all = tally(report.suite);
+    Json json = output::provenance();
+    json["report"] = "verification 1";
+    json["date"] = report.date;
+    json["machine"] = report.machine;
+    json["threads"] = report.threads;
+    json["selection"] = report.selection;
+    json["command"] = report.command;
+    json["seconds"] = report.suite.seconds;
+    json["complete"] = report.suite.complete;
+    json["passed"] = passed(report.suite);
+    json["headline"] = headline(report.equations);
+    json["holds"] = all.holds;
+    json["fails"] = all.fails;
+    json["not_run"] = all.not_run;
+    json["compared"] = all.compared;
+    json["largest_ratio"] = all.compared > 0 ? json_number(all.ratio) : Json();
+    json["subjects"] = array_of(report.suite.subjects, [](const SuiteSubject& s) { return to_json(s); });
+    json["equations"] = array_of(report.equations, [](const EquationSummary& e) { return to_json(e); });
+    json["results"] = array_of(report.suite.results, [](const CheckResult& r) { return to_json(r); });
+    return json_text(json);
+}
+
+} // namespace aneurysm::verification

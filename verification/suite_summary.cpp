@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/suite_summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+std::string printed(const char* format, double x)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), format, x);
+    return text.data();
+}
+
+bool names(const Check& check, const Equation& equation)
+{
+    return std::ranges::find(check.equations, equation.id) != check.equations.end();
+}
+
+/// Of the results that look at an equation.
+EquationCell cell_of(const std::vector<const CheckResult*>& results, const std::string& subject)
+{
+    EquationCell cell;
+    for (const CheckResult* r : results) {
+        if (r->subject == subject) {
+            cell.tally.add(*r);
+            cell.remark = r->verdict == Verdict::not_run ? r->message : cell.remark;
+        }
+    }
+    const Tally& t = cell.tally;
+    using State = EquationCell::State;
+    cell.state = t.fails > 0     ? State::fails
+                 : t.holds > 0   ? State::holds
+                 : t.not_run > 0 ? State::not_run
+                                 : State::none;
+    return cell;
+}
+
+/// Optimised subjects without formulas of their own share those of the one that has them.
+void share(std::vector<EquationCell>& cells, const std::vector<SuiteSubject>& subjects)
+{
+    const auto is_optimised = [](const SuiteSubject& s) { return s.subject.choice.name != "reference"; };
+    for (std::size_t owner = 0; owner < subjects.size(); ++owner) {
+        const bool owns = subjects[owner].subject.equations != nullptr && is_optimised(subjects[owner]);
+        if (!owns || cells[owner].state == EquationCell::State::none) {
+            continue;
+        }
+        for (std::size_t k = 0; k < subjects.size(); ++k) {
+            if (cells[k].state == EquationCell::State::none && is_optimised(subjects[k])) {
+                const bool here = subjects[k].missing.empty();
+                cells[k].state = here ? EquationCell::State::shared : EquationCell::State::not_run;
+                cells[k].remark = here ? "as " + subjects[owner].subject.name() : subjects[k].missing;
+            }
+        }
+    }
+}
+
+void judge(EquationSummary& e, const std::vector<const CheckResult*>& results)
+{
+    const auto is_own = [](const Check* check) { return check->scope != Scope::once; };
+    const auto any = [&](Verdict v) {
+        return std::ranges::any_of(results, [v](const CheckResult* r) { return r->verdict == v; });
+    };
+    const bool held = std::ranges::any_of(
+        e.cells, [](const EquationCell& c) { return c.state == EquationCell::State::holds; });
+    const bool cut_short =
+        std::ranges::any_of(results, [](const CheckResult* r) { return r->message == interruption; });
+    if (any(Verdict::fails)) {
+        e.verdict = EquationVerdict::fails;
+    } else if (std::ranges::none_of(e.checks, is_own)) {
+        e.verdict = EquationVerdict::no_check;
+        e.remark = "the suite has no check of it";
+    } else if (held && !cut_short) {
+        e.verdict = EquationVerdict::holds;
+    } else {
+        e.verdict = EquationVerdict::not_checked;
+        e.remark = cut_short         ? interruption
+                   : results.empty() ? "none of its checks was chosen"
+                                     : "none of its checks was run";
+    }
+}
+
+} // namespace
+
+void Tally::add(const CheckResult& result)
+{
+    holds += result.verdict == Verdict::holds ? 1 : 0;
+    fails += result.verdict == Verdict::fails ? 1 : 0;
+    not_run += result.verdict == Verdict::not_run ? 1 : 0;
+    for (const Quantity& q : result.quantities) {
+        compared += q.compared();
+        const Quantity::Worst& w = q.worst();
+        if (w.ratio > ratio) {
+            ratio = w.ratio;
+            closest = &q;
+            where = &result;
+        }
+    }
+}
+
+Tally tally(const CheckResult& result)
+{
+    Tally t;
+    t.add(result);
+    return t;
+}
+
+Tally tally(const SuiteResult& suite)
+{
+    Tally t;
+    for (const CheckResult& r : suite.results) {
+        t.add(r);
+    }
+    return t;
+}
+
+Tally tally(const SuiteResult& suite, Level level)
+{
+    Tally t;
+    for (const CheckResult& r : suite.results) {
+        if (r.check->level == level) {
+            t.add(r);
+        }
+    }
+    return t;
+}
+
+std::vector<EquationSummary> by_equation(const SuiteResult& suite, const std::vector<Check>& checks)
+{
+    std::vector<EquationSummary> summaries;
+    for (const Equation& equation : equations) {
+        EquationSummary e{.equation = &equation};
+        for (const Check& check : checks) {
+            if (names(check, equation)) {
+                e.checks.push_back(&check);
+            }
+        }
+        std::vector<const CheckResult*> results;
+        for (const CheckResult& r : suite.results) {
+            if (names(*r.check, equation)) {
+                results.push_back(&r);
+            }
+        }
+        for (const SuiteSubject& s : suite.subjects) {
+            e.cells.push_back(cell_of(results, s.subject.name()));
+        }
+        share(e.cells, suite.subjects);
+        judge(e, results);
+        summaries.push_back(std::move(e));
+    }
+    return summaries;
+}
+
+std::vector<Reason> not_run(const SuiteResult& suite)
+{
+    std::vector<Reason> reasons;
+    const auto add = [&](const std::string& who, const std::string& why) {
+        const auto known = std::ranges::find(reasons, why, &Reason::why);
+        if (known == reasons.end()) {
+            reasons.push_back({who, why});
+        } else {
+            known->who.append(", ").append(who);
+        }
+    };
+    for (const SuiteSubject& s : suite.subjects) {
+        if (!s.missing.empty()) {
+            add(s.subject.name(), s.missing);
+        }
+    }
+    for (const CheckResult& r : suite.results) {
+        const bool missing = std::ranges::any_of(suite.subjects, [&](const SuiteSubject& s) {
+            return s.subject.name() == r.subject && !s.missing.empty();
+        });
+        if (r.verdict == Verdict::not_run && !missing) {
+            add(std::string(r.check->id) + " (" + r.subject + ")", r.message);
+        }
+    }
+    return reasons;
+}
+
+bool passed(const SuiteResult& suite)
+{
+    const Tally t = tally(suite);
+    return suite.complete && t.fails == 0 && t.holds > 0;
+}
+
+std::string headline(const std::vector<EquationSummary>& summaries)
+{
+    const auto count = [&](EquationVerdict v) {
+        return std::ranges::count(summaries, v, &EquationSummary::verdict);
+    };
+    std::string text = std::to_string(count(EquationVerdict::holds)) + " of " +
+                       std::to_string(summaries.size()) + " equations hold";
+    for (const EquationVerdict v :
+         {EquationVerdict::fails, EquationVerdict::not_checked, EquationVerdict::no_check}) {
+        if (count(v) == 0) {
+            continue;
+        }
+        text.append("; ").append(name_of(v)).append(":");
+        for (const EquationSummary& e : summaries) {
+            if (e.verdict == v) {
+                text.append(" ").append(number_of(*e.equation));
+            }
+        }
+    }
+    return text;
+}
+
+std::string shown(double x)
+{
+    return x < 0 ? "-" : std::isinf(x) ? "infinite" : printed("%.3g", x);
+}
+
+std::string shown_value(double x)
+{
+    return printed("%.6g", x);
+}
+
+} // namespace aneurysm::verification

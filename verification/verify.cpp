@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/verify.hpp"
+
+#include "common/error.hpp"
+#include "output/file.hpp"
+#include "output/provenance.hpp"
+#include "verification/interrupt.hpp"
+#include "verification/progress.hpp"
+#include "verification/suite_report.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <thread>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr int failed = 3;
+constexpr int interrupted = 130;
+
+/// Found out before minutes of work.
+void make_directory(const fs::path& directory)
+{
+    std::error_code error;
+    const bool exists = fs::exists(directory, error);
+    if (exists && !(fs::is_directory(directory, error) && fs::is_empty(directory, error))) {
+        throw InputError(directory.string(), "output directory exists and isn't empty",
+                         "needed: another --out");
+    }
+    fs::create_directories(directory, error);
+    if (error) {
+        throw InputError(directory.string(), "output directory cannot be made (" + error.message() + ")",
+                         "needed: a writable place");
+    }
+}
+
+int threads_of(int jobs)
+{
+    if (jobs < 0) {
+        throw InputError("--jobs", "out of range (" + std::to_string(jobs) + ")", "allowed: at least 0");
+    }
+    return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words) {
+        text.append(text.empty() ? "" : ",").append(word);
+    }
+    return text;
+}
+
+/// That makes the same reports again.
+std::string command_of(const VerifyOptions& options)
+{
+    std::string command = std::string("aneurysm verify ") + (options.full ? "--full" : "--quick");
+    const auto add = [&](const char* name, const std::vector<std::string>& words) {
+        if (!words.empty()) {
+            command.append(" ").append(name).append(" ").append(joined(words));
+        }
+    };
+    add("--only", options.only);
+    add("--backend", options.backends);
+    add("--precision", options.precisions);
+    return command + " --out DIR";
+}
+
+std::string selection_of(const VerifyOptions& options, std::size_t chosen)
+{
+    const std::string all = std::to_string(all_checks().size());
+    return (options.full ? "All levels, slow checks included: " : "Quick checks only: ") +
+           std::to_string(chosen) + " of the " + all + " checks" +
+           (options.only.empty() ? "" : ", chosen by --only " + joined(options.only));
+}
+
+SuiteResult run(const std::vector<const Check*>& checks, std::vector<SuiteSubject> subjects, int threads)
+{
+    std::optional<Progress> progress; // how many there are is known with the first result
+    return run_suite(checks, std::move(subjects), threads,
+                     [&](std::int64_t done, std::int64_t all, const std::string& doing) {
+                         if (!progress) {
+                             progress.emplace("check", 0, all);
+                         }
+                         progress->show(done, doing);
+                     });
+}
+
+void write(const fs::path& directory, const SuiteReport& report)
+{
+    output::write_atomically(directory / "report.json", suite_json(report));
+    output::write_atomically(directory / "report.md", suite_markdown(report));
+    output::write_atomically(directory / "junit.xml", suite_junit(report));
+    output::write_atomically(directory / "report.html", suite_html(report));
+}
+
+} // namespace
+
+int verify(const VerifyOptions& options)
+{
+    const int threads = threads_of(options.jobs);
+    const std::vector<const Check*> checks = select(all_checks(), options.full, options.only);
+    std::vector<SuiteSubject> subjects = make_subjects(options.backends, options.precisions);
+    make_directory(options.out);
+
+    SuiteReport report;
+    {
+        const InterruptWatch watch;
+        report.suite = run(checks, std::move(subjects), threads);
+    }
+    report.equations = by_equation(report.suite, all_checks());
+    report.selection = selection_of(options, checks.size());
+    report.command = command_of(options);
+    report.date = output::now_utc();
+    report.machine = output::machine();
+    report.threads = threads;
+    write(options.out, report);
+    std::cout << suite_text(report) << "Reports in " << options.out.string()
+              << ": report.html, report.md, report.json, junit.xml" << std::endl;
+    if (!report.suite.complete) {
+        return interrupted;
+    }
+    return passed(report.suite) ? 0 : failed;
+}
+
+} // namespace aneurysm::verification
