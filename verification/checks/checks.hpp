@@ -9,5 +9,10 @@ namespace aneurysm::verification
 
 // L0
 std::vector<Check> rupture_checks();
+// L1
+std::vector<Check> operator_checks();
+std::vector<Check> pressure_solve_checks();
+// L2
+std::vector<Check> box_flow_checks();
 
 } // namespace aneurysm::verification

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/checks/box.hpp"
+
+#include "verification/scenarios.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+analytic::Medium medium_of(const Scenario& s)
+{
+    const double dx = s.domain.spacing_m;
+    const analytic::Lattice lattice{s.kernel.function, s.kernel.smoothing_length_spacings * dx, dx};
+    const double rho = s.fluid.density_kg_m3;
+    return {lattice, rho / analytic::kernel_sum(lattice).value, rho};
+}
+
+} // namespace
+
+Scenario box_scenario(KernelName kernel, double ratio)
+{
+    Scenario scenario = shipped_scenario("verify_box");
+    scenario.kernel.function = kernel;
+    scenario.kernel.smoothing_length_spacings = ratio;
+    scenario.pressure.relaxation = 0.2; // below the limit of both kernels up to h/dx = 1.3
+    return scenario;
+}
+
+Box::Box(const Probe& probe, const Scenario& scenario)
+    : scenario_(scenario), state_(probe.simulate(scenario)->state()),
+      edge_(static_cast<double>(scenario.domain.cells_x) * scenario.domain.spacing_m),
+      cells_(static_cast<int>(scenario.domain.cells_x)), medium_(medium_of(scenario))
+{
+}
+
+Eigen::Vector3d Box::wave_vector(const Mode& n) const
+{
+    return 2 * std::numbers::pi / edge_ * Eigen::Vector3d(n[0], n[1], n[2]);
+}
+
+std::vector<double> Box::wave(const Mode& n, double turns) const
+{
+    std::vector<double> values;
+    for (int k = 0; k < cells_; ++k) {
+        for (int j = 0; j < cells_; ++j) {
+            for (int i = 0; i < cells_; ++i) {
+                const long double phase =
+                    turns + static_cast<long double>((n[0] * i + n[1] * j + n[2] * k) % cells_) / cells_;
+                values.push_back(static_cast<double>(std::cos(2 * std::numbers::pi_v<long double> * phase)));
+            }
+        }
+    }
+    return values;
+}
+
+std::vector<Mode> Box::modes() const
+{
+    std::vector<Mode> all;
+    for (int i = 1; i <= cells_ / 2; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            for (int k = 0; k <= j; ++k) {
+                all.push_back({i, j, k});
+            }
+        }
+    }
+    return all;
+}
+
+void Box::set_velocity(const std::vector<double>& wave, const Vec3& amplitude)
+{
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+        state_.particles.velocity[i] = wave[i] * amplitude;
+    }
+}
+
+void Box::disturb(double jitter, double speed, std::uint64_t seed)
+{
+    std::mt19937_64 bits(seed);
+    const auto random = [&] { return std::ldexp(static_cast<double>(bits() >> 54U), -9) - 1; }; // [-1, 1)
+    const double dx = scenario_.domain.spacing_m;
+    Particles& p = state_.particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        for (double* x : {&p.position[i].x, &p.position[i].y, &p.position[i].z}) {
+            *x += jitter * dx * random();
+        }
+        const double x = random();
+        const double y = random();
+        const double z = random();
+        p.velocity[i] = speed * Vec3{x, y, z};
+    }
+}
+
+analytic::Cloud Box::cloud(const SimulationState& state, const std::vector<double>& density) const
+{
+    analytic::Cloud c;
+    c.kernel = medium_.lattice.kernel;
+    c.h = medium_.lattice.h;
+    c.period = edge_;
+    for (std::size_t i = 0; i < state.particles.size(); ++i) {
+        c.position.push_back(to_eigen(state.particles.position[i]));
+        c.velocity.push_back(to_eigen(state.particles.velocity[i]));
+    }
+    c.mass.assign(c.position.size(), medium_.mass);
+    c.density = density;
+    c.pressure.assign(c.position.size(), 0);
+    c.free.assign(c.position.size(), true);
+    return c;
+}
+
+} // namespace aneurysm::verification

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blood in the periodic box of data/scenarios/verify_box.json, whatever backend computes it: checks set it in
+// motion, let it make a frame, and know what must come out.
+#pragma once
+
+#include "analytic/blood_flow.hpp"
+#include "analytic/pair_sums.hpp"
+#include "verification/check.hpp"
+
+#include <array>
+#include <vector>
+
+namespace aneurysm::verification
+{
+
+inline Vec3 to_vec3(const Eigen::Vector3d& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+inline Eigen::Vector3d to_eigen(const Vec3& v)
+{
+    return {v.x, v.y, v.z};
+}
+
+/// Waves along each edge of the box.
+using Mode = std::array<int, 3>;
+
+/// The bound for a candidate that rounds by `u`, from an oracle's that bounds any text's rounding in double:
+/// the oracle's own error and the candidate's.
+constexpr double both(double oracle_error, double u)
+{
+    return oracle_error * (1 + u / 0x1p-53);
+}
+
+class Box
+{
+public:
+    /// Blood at rest on its lattice.
+    Box(const Probe& probe, const Scenario& scenario);
+
+    const Scenario& scenario() const { return scenario_; }
+    const analytic::Medium& medium() const { return medium_; }
+    double edge() const { return edge_; } ///< [m]
+    std::size_t size() const { return state_.particles.size(); }
+    SimulationState& state() { return state_; }
+    const SimulationState& state() const { return state_; }
+
+    Eigen::Vector3d wave_vector(const Mode& n) const; ///< [1/m]
+    /// cos(k.r + turns of 2 pi) at each lattice point.
+    std::vector<double> wave(const Mode& n, double turns = 0) const;
+    /// 0 <= n_z <= n_y <= n_x <= cells/2 without 0: the lattice's symmetry gives the rest.
+    std::vector<Mode> modes() const;
+
+    void set_velocity(const std::vector<double>& wave, const Vec3& amplitude);
+    /// Each particle up to `jitter` spacings from its lattice point in each direction, the velocity's
+    /// components up to `speed`; both such that single precision holds them exactly.
+    void disturb(double jitter, double speed, std::uint64_t seed);
+
+    /// The oracle's view of a state, with the subject's own densities.
+    analytic::Cloud cloud(const SimulationState& state, const std::vector<double>& density) const;
+
+private:
+    Scenario scenario_;
+    SimulationState state_;
+    double edge_;
+    int cells_;
+    analytic::Medium medium_;
+};
+
+/// data/scenarios/verify_box.json with this kernel.
+Scenario box_scenario(KernelName kernel = KernelName::cubic_spline, double ratio = 1);
+
+} // namespace aneurysm::verification
