@@ -14,5 +14,7 @@ std::vector<Check> operator_checks();
 std::vector<Check> pressure_solve_checks();
 // L2
 std::vector<Check> box_flow_checks();
+std::vector<Check> duct_checks();
+std::vector<Check> wall_history_checks();
 
 } // namespace aneurysm::verification
