@@ -204,12 +204,33 @@ def check_comparisons(directory):
     refused(directory, bits, [hashes, "line 2", "another scenario"])
 
 
+def check_suite(directory):
+    full, file = directory / "full", directory / "file"
+    full.mkdir()
+    (full / "x").write_text("")
+    file.write_text("")
+    out = ["--out", "out"]
+    refused(directory, ["verify"], ["--out"])
+    refused(directory, ["verify", "--out", full], [full, "isn't empty"])
+    refused(directory, ["verify", "--out", file], [file, "isn't empty"])
+    refused(directory, ["verify", "--out", "/proc/out"], ["/proc/out", "cannot be made"])
+    refused(directory, ["verify", *out, "--only", "x13"], ["--only", "x13", "L0", "EOS"])
+    refused(directory, ["verify", *out, "--only", ""], ["--only", "()"])
+    refused(directory, ["verify", *out, "--backend", "gpu"], ["--backend", "gpu"])
+    refused(directory, ["verify", *out, "--precision", "half"], ["--precision", "half"])
+    refused(directory, ["verify", *out, "--backend", "reference", "--precision", "float"], ["--precision", "float"])
+    refused(directory, ["verify", *out, "--jobs", "-1"], ["--jobs", "-1"])
+    refused(directory, ["verify", *out, "--quick", "--full"], ["--quick", "--full"])
+    if not pathlib.Path("/dev/nvidiactl").exists():
+        refused(directory, ["verify", *out, "--backend", "cuda"], ["--backend", "cuda"])
+
+
 for scenario in sorted((data / "scenarios").glob("*.json")):
     errors = [error.message for error in validator.iter_errors(json.loads(scenario.read_text()))]
     expect(not errors, f"{scenario}: {errors}")
     done = subprocess.run([program, "info", scenario], capture_output=True, text=True)
     expect(done.returncode == 0 and done.stderr == "", f"{scenario}: {done.stderr}")
-for check in (check_files, check_arguments, check_checkpoints, check_comparisons):
+for check in (check_files, check_arguments, check_checkpoints, check_comparisons, check_suite):
     with tempfile.TemporaryDirectory() as scratch:
         check(pathlib.Path(scratch))
 print("\n".join(failures))

@@ -72,8 +72,8 @@ Markup derivations(const Results& results, const Quantity& quantity)
 
 Markup ratio_cell(const Quantity* q)
 {
-    if (q == nullptr) {
-        return cell(element("span", {{"class", "weak"}}, "–"));
+    if (q == nullptr || q->compared() == 0) {
+        return cell(element("span", {{"class", "weak"}}, q == nullptr ? "–" : "nothing compared"));
     }
     Markup content = mark(q->passed() ? Verdict::holds : Verdict::fails, shown(q->worst().ratio));
     if (q->loose()) {
@@ -82,11 +82,15 @@ Markup ratio_cell(const Quantity* q)
     return number_cell(content);
 }
 
-Markup quantity_table(const Results& results)
+Markup quantity_table(const Results& all)
 {
+    Results results; // of those that compared something
     std::vector<std::string> head{"quantity", "bound from", "how the bound follows"};
-    for (const CheckResult* r : results) {
-        head.push_back(r->subject);
+    for (const CheckResult* r : all) {
+        if (!r->quantities.empty()) {
+            results.push_back(r);
+            head.push_back(r->subject);
+        }
     }
     Markup rows;
     for (const Quantity* q : quantities_of(results)) {
@@ -100,13 +104,21 @@ Markup quantity_table(const Results& results)
     return rows.empty() ? Markup() : table(head, rows);
 }
 
+/// Subjects with the same verdict for the same reason share a line.
 Markup verdicts(const Results& results)
 {
     Markup items;
-    for (const CheckResult* r : results) {
-        items << element("li", {}, r->subject, ": ", mark(r->verdict),
-                         r->message.empty() ? "" : ": " + r->message,
-                         element("span", {{"class", "weak"}}, " (", shown(r->seconds), " s)"));
+    for (auto r = results.begin(); r != results.end();) {
+        const CheckResult& first = **r;
+        Markup who;
+        for (; r != results.end() && (*r)->verdict == first.verdict && (*r)->message == first.message; ++r) {
+            who << (who.empty() ? "" : ", ") << (*r)->subject;
+            if (first.verdict != Verdict::not_run) {
+                who << element("span", {{"class", "weak"}}, " (", shown((*r)->seconds), " s)");
+            }
+        }
+        items << element("li", {}, mark(first.verdict), " for ", who,
+                         first.message.empty() ? "" : ": " + first.message);
     }
     return element("ul", {}, items);
 }

@@ -17,7 +17,7 @@ Markup subject_cell(const EquationCell& c)
     case State::holds:
         return number_cell(mark(Verdict::holds, shown(c.tally.ratio)));
     case State::fails:
-        return number_cell(mark(Verdict::fails, shown(c.tally.ratio)));
+        return number_cell(mark(Verdict::fails, c.tally.ratio > 1 ? shown(c.tally.ratio) : ""));
     case State::not_run:
         return element("td", {{"class", "weak"}, {"title", c.remark}}, "not run");
     case State::shared:
@@ -39,7 +39,7 @@ Markup verdict_cell(const EquationSummary& e)
     case EquationVerdict::no_check:
         break;
     }
-    return element("td", {{"class", "fails"}}, name_of(e.verdict), ": ", e.remark);
+    return cell(element("span", {{"class", "fails"}}, name_of(e.verdict)) << ": " << e.remark);
 }
 
 bool was_chosen(const SuiteReport& report, const Check* check)
@@ -47,31 +47,18 @@ bool was_chosen(const SuiteReport& report, const Check* check)
     return std::ranges::any_of(report.suite.results, [&](const CheckResult& r) { return r.check == check; });
 }
 
-/// Checks, those that were not chosen without a link; and what they compare with, each once.
+/// Each check and what it compares with; those that were not chosen without a link.
 Markup checks_cell(const SuiteReport& report, const EquationSummary& e)
 {
     Markup content;
     for (const Check* check : e.checks) {
-        content << (content.empty() ? "" : ", ")
-                << (was_chosen(report, check) ? check_link(*check)
-                                              : Markup() << check->id << " (not chosen)");
-    }
-    return cell(content);
-}
-
-Markup oracles_cell(const SuiteReport& report, const EquationSummary& e)
-{
-    std::vector<std::string_view> oracles;
-    for (const Check* check : e.checks) {
+        Markup oracles;
         for (const std::string_view oracle : check->oracles) {
-            if (was_chosen(report, check) && std::ranges::find(oracles, oracle) == oracles.end()) {
-                oracles.push_back(oracle);
-            }
+            oracles << (oracles.empty() ? ": " : "; ") << oracle;
         }
-    }
-    Markup content;
-    for (const std::string_view oracle : oracles) {
-        content << (content.empty() ? "" : "; ") << oracle;
+        const bool chosen = was_chosen(report, check);
+        content << element("div", {}, chosen ? check_link(*check) : Markup(check->id),
+                           chosen ? oracles : Markup(": not chosen"));
     }
     return element("td", {{"class", "long"}}, content);
 }
@@ -99,7 +86,7 @@ Markup equations_section(const SuiteReport& report)
     for (const SuiteSubject& s : report.suite.subjects) {
         head.push_back(s.subject.name());
     }
-    head.insert(head.end(), {"how the printed formula is read", "checks", "compared with"});
+    head.insert(head.end(), {"how the printed formula is read", "checks: what they compare with"});
     Markup rows;
     for (const EquationSummary& e : report.equations) {
         Markup cells;
@@ -110,7 +97,7 @@ Markup equations_section(const SuiteReport& report)
         rows << row(cell(number_of(*e.equation)), cell(e.equation->title), verdict_cell(e), cells,
                     element("td", {{"class", "long"}}, element("b", {}, name_of(e.equation->status)),
                             deviation.empty() ? "" : ": " + deviation),
-                    checks_cell(report, e), oracles_cell(report, e))
+                    checks_cell(report, e))
              << "\n";
     }
     return element("section", {{"id", "equations"}}, element("h2", {}, "Equation by equation"),

@@ -3,6 +3,8 @@
 #include "verification/suite_html.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace aneurysm::verification
 {
@@ -21,7 +23,7 @@ std::string grouped(std::int64_t n)
 
 std::string percent(double ratio)
 {
-    return ratio > 0 ? shown(100 * ratio).append(" %") : ratio == 0 ? "0 %" : "-";
+    return ratio < 0 ? "-" : std::isinf(ratio) ? "more than it all" : shown(100 * ratio).append(" %");
 }
 
 Markup banner(const SuiteReport& report)
@@ -106,22 +108,31 @@ Markup levels_table(const SuiteReport& report)
                  rows);
 }
 
-Markup unchecked(const SuiteReport& report)
+/// Equations that are not known to hold or to fail, those for the same reason together.
+Markup unchecked_equations(const SuiteReport& report)
 {
-    Markup items;
+    std::map<std::string, std::string> by_reason;
     for (const EquationSummary& e : report.equations) {
         if (e.verdict == EquationVerdict::not_checked || e.verdict == EquationVerdict::no_check) {
-            items << element("li", {}, "Equation ", number_of(*e.equation), ", ", e.equation->title, ": ",
-                             e.remark, ".");
+            by_reason[e.remark].append(" ").append(number_of(*e.equation));
         }
     }
+    Markup items;
+    for (const auto& [reason, numbers] : by_reason) {
+        items << element("li", {}, "Equations", numbers, ": ", reason, ".");
+    }
+    return items;
+}
+
+Markup unchecked(const SuiteReport& report)
+{
+    Markup items = unchecked_equations(report);
     for (const Reason& reason : not_run(report.suite)) {
         items << element("li", {}, reason.who, ": ", reason.why, ".");
     }
-    items << element(
-        "li", {},
-        "Whether the paper's model describes an aneurysm in a patient. This report is about the program: "
-        "does it compute what the paper's equations say?");
+    items << element("li", {},
+                     "Whether the paper's model describes an aneurysm in a patient. This report is about the "
+                     "program: does it compute what the paper's equations say?");
     return element("ul", {}, items) << "\n";
 }
 

@@ -3,7 +3,8 @@
 #include "verification/suite_html.hpp"
 #include "verification/suite_style.hpp"
 
-#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace aneurysm::verification
 {
@@ -31,15 +32,12 @@ Markup number_cell(const Markup& content)
 
 Markup mark(Verdict verdict, const std::string& more)
 {
-    switch (verdict) {
-    case Verdict::holds:
-        return element("span", {{"class", "holds"}}, "✓ ", more.empty() ? "holds" : more);
-    case Verdict::fails:
-        return element("span", {{"class", "fails"}}, "✗ FAILS ", more);
-    case Verdict::not_run:
-        return element("span", {{"class", "weak"}}, "not run ", more);
-    }
-    return {};
+    static constexpr std::array classes{"holds", "fails", "weak"};
+    static constexpr std::array signs{"✓ ", "✗ ", ""};
+    const auto k = static_cast<std::size_t>(verdict);
+    const bool plain = verdict == Verdict::holds && !more.empty(); // the colour says enough
+    return element("span", {{"class", classes.at(k)}}, signs.at(k), plain ? "" : name_of(verdict),
+                   plain || more.empty() ? "" : " ", more);
 }
 
 Markup check_link(const Check& check)

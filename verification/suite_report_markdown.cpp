@@ -100,26 +100,10 @@ std::string ledger_lines(const SuiteReport& report)
 }
 
 /// Each on a line that starts like this.
-std::string failure_lines(const SuiteResult& suite, const char* start)
+std::string lines(const std::vector<Reason>& reasons, const char* start)
 {
     std::string text;
-    for (const CheckResult& r : suite.results) {
-        if (r.verdict == Verdict::fails) {
-            text.append(start)
-                .append(r.check->id)
-                .append(", ")
-                .append(r.subject)
-                .append(": ")
-                .append(r.message) += "\n";
-        }
-    }
-    return text;
-}
-
-std::string not_run_lines(const SuiteResult& suite, const char* start)
-{
-    std::string text;
-    for (const Reason& reason : not_run(suite)) {
+    for (const Reason& reason : reasons) {
         text.append(start).append(reason.who).append(": ").append(reason.why).append("\n");
     }
     return text;
@@ -130,7 +114,7 @@ std::string not_run_lines(const SuiteResult& suite, const char* start)
 std::string suite_text(const SuiteReport& report)
 {
     const SuiteResult& suite = report.suite;
-    return level_lines(suite) + failure_lines(suite, "FAILS      ") + not_run_lines(suite, "not run    ") +
+    return level_lines(suite) + lines(failures(suite), "FAILS      ") + lines(not_run(suite), "not run    ") +
            headline(report.equations) + "\n" + verdict_of(suite) + "\n";
 }
 
@@ -148,10 +132,10 @@ std::string suite_markdown(const SuiteReport& report)
          << "Commit " << build.commit << ", " << build.compiler << ", " << report.machine << ", "
          << report.date << ", " << shown(suite.seconds) << " s. Again: `" << report.command << "`\n\n";
     if (all.fails > 0) {
-        text << "## What fails\n\n" << failure_lines(suite, "- ") << "\n";
+        text << "## What fails\n\n" << lines(failures(suite), "- ") << "\n";
     }
     if (!not_run(suite).empty()) {
-        text << "## What was not run\n\n" << not_run_lines(suite, "- ") << "\n";
+        text << "## What was not run\n\n" << lines(not_run(suite), "- ") << "\n";
     }
     text << "## Equations\n\nThe numbers are the largest measured/allowed of all checks; above 1 is a "
             "failure.\n\n"

@@ -86,6 +86,40 @@ void judge(EquationSummary& e, const std::vector<const CheckResult*>& results)
     }
 }
 
+/// A further one for the same reason, or a new one.
+void add(std::vector<Reason>& reasons, const std::string& who, const std::string& why)
+{
+    if (!reasons.empty() && reasons.back().why == why) {
+        reasons.back().who.append(", ").append(who);
+    } else {
+        reasons.push_back({who, why});
+    }
+}
+
+/// Of each check the subjects with such a verdict; those that aren't there were not run anyway.
+std::vector<Reason> reasons(const SuiteResult& suite, Verdict verdict)
+{
+    const auto is_missing = [&](const std::string& name) {
+        return std::ranges::any_of(suite.subjects, [&](const SuiteSubject& s) {
+            return !s.missing.empty() && s.subject.name() == name;
+        });
+    };
+    std::vector<Reason> all;
+    for (auto r = suite.results.begin(); r != suite.results.end();) {
+        const Check* check = r->check;
+        std::vector<Reason> own;
+        for (; r != suite.results.end() && r->check == check; ++r) {
+            if (r->verdict == verdict && !is_missing(r->subject)) {
+                add(own, r->subject, r->message);
+            }
+        }
+        for (const Reason& reason : own) {
+            add(all, std::string(check->id) + " (" + reason.who + ")", reason.why);
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 void Tally::add(const CheckResult& result)
@@ -157,31 +191,22 @@ std::vector<EquationSummary> by_equation(const SuiteResult& suite, const std::ve
     return summaries;
 }
 
+std::vector<Reason> failures(const SuiteResult& suite)
+{
+    return reasons(suite, Verdict::fails);
+}
+
 std::vector<Reason> not_run(const SuiteResult& suite)
 {
-    std::vector<Reason> reasons;
-    const auto add = [&](const std::string& who, const std::string& why) {
-        const auto known = std::ranges::find(reasons, why, &Reason::why);
-        if (known == reasons.end()) {
-            reasons.push_back({who, why});
-        } else {
-            known->who.append(", ").append(who);
-        }
-    };
+    std::vector<Reason> all;
     for (const SuiteSubject& s : suite.subjects) {
         if (!s.missing.empty()) {
-            add(s.subject.name(), s.missing);
+            add(all, s.subject.name(), s.missing);
         }
     }
-    for (const CheckResult& r : suite.results) {
-        const bool missing = std::ranges::any_of(suite.subjects, [&](const SuiteSubject& s) {
-            return s.subject.name() == r.subject && !s.missing.empty();
-        });
-        if (r.verdict == Verdict::not_run && !missing) {
-            add(std::string(r.check->id) + " (" + r.subject + ")", r.message);
-        }
-    }
-    return reasons;
+    const std::vector<Reason> checks = reasons(suite, Verdict::not_run);
+    all.insert(all.end(), checks.begin(), checks.end());
+    return all;
 }
 
 bool passed(const SuiteResult& suite)

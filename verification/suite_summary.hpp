@@ -70,11 +70,13 @@ struct EquationSummary {
 /// \param checks  all there are
 std::vector<EquationSummary> by_equation(const SuiteResult& suite, const std::vector<Check>& checks);
 
-/// What was not run, with each reason once: {"cuda double, cuda float", "no GPU"}.
+/// What fails or was not run, each reason once: {"cuda double, cuda float", "no GPU"}, {"eq13_pole (cpu
+/// double, cpu float)", "not within its bound: pole [Pa]"}.
 struct Reason {
     std::string who;
     std::string why;
 };
+std::vector<Reason> failures(const SuiteResult& suite);
 std::vector<Reason> not_run(const SuiteResult& suite);
 
 Tally tally(const SuiteResult& suite);
