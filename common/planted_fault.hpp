@@ -47,13 +47,16 @@ struct Fault {
     double size = 0;
 };
 
+enum class Backends : std::uint8_t { both, optimised };
+
 struct PlaceInfo {
     std::string_view name;
     Part part;
+    Backends backends;
     std::string_view text;
 };
 inline constexpr std::array<PlaceInfo, place_count> places{{
-#define ANEURYSM_PLACE(name, part, text) {#name, Part::part, text},
+#define ANEURYSM_PLACE(name, part, backends, text) {#name, Part::part, Backends::backends, text},
     ANEURYSM_FAULT_PLACES(ANEURYSM_PLACE)
 #undef ANEURYSM_PLACE
 }};

@@ -77,8 +77,8 @@ struct Impact {
 
     ANEURYSM_HD Impact& operator+=(const Impact& b)
     {
-        const bool harder =
-            b.force > force || std::isnan(b.force) || (b.force == force && b.particle < particle);
+        const bool harder = fault(eq16_harder, b.force > force) || std::isnan(b.force) ||
+                            (b.force == force && b.particle < particle);
         if (b.count > 0 && (count == 0 || harder)) {
             force = b.force;
             particle = b.particle;
@@ -98,7 +98,7 @@ struct Impact {
 template <class Real>
 ANEURYSM_HD Real impact_force(Real m, Real rho, const Vec3T<Real>& force)
 {
-    return length(m / rho * force);
+    return length(fault(eq16_mass, m) / fault(eq16_density, rho) * force);
 }
 
 /// The criterion of section 3.2: the wall ruptures when F_b, taken as a pressure on `area`, exceeds P_c.

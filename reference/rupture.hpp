@@ -91,8 +91,9 @@ inline Impact impact_force(std::span<const std::int64_t> S, double m, std::span<
     Impact impact;
     for (const std::int64_t i : S) {
         const auto k = static_cast<std::size_t>(i);
-        const double F = length(m / density[k] * force[k]);
-        if (impact.particle < 0 || F > impact.force || std::isnan(F)) { // a NaN must not hide
+        const double F = length(fault(eq16_mass, m) / fault(eq16_density, density[k]) * force[k]);
+        if (impact.particle < 0 || fault(eq16_harder, F > impact.force) ||
+            std::isnan(F)) { // a NaN must not hide
             impact = {F, i};
         }
     }

@@ -2,6 +2,7 @@
 #include "reference/simulation.hpp"
 
 #include "common/error.hpp"
+#include "common/fault.hpp"
 #include "common/initial_state.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/boundary.hpp"
@@ -150,12 +151,12 @@ void Simulation::grow(AneurysmState& aneurysm, double F_b) const
 {
     AneurysmState& s = aneurysm;
     const double dR = radius_increment(wall_tissue(scenario_), F_b, s.radius, scenario_.time.frame_s);
-    const double largest = vessel_.largest_radius();
+    const double largest = fault(eq23_developed, vessel_.largest_radius());
     if (s.radius < largest) {
         s.phase = Phase::growing;
         const double taken = std::min(dR, largest - s.radius);
         s.thickness = thickness_growing(s.thickness, s.radius, scenario_.rupture.poisson_ratio, taken);
-        s.radius = taken < dR ? largest : s.radius + dR;
+        s.radius = taken < dR ? largest : s.radius + fault(eq21_growth, dR);
     } else {
         s.phase = Phase::fully_developed;
         s.thickness = thickness_developed(s.thickness, scenario_.growth.thinning_intensity_per_m, dR,
@@ -168,8 +169,8 @@ void Simulation::deform(SimulationState& state, FrameRecord& record) const
 {
     AneurysmState& s = state.aneurysm;
     const auto& material = scenario_.rupture;
-    const bool alive =
-        vessel_.has_sac() && s.phase != Phase::ruptured && record.frame > scenario_.growth.warm_up_frames;
+    const bool alive = vessel_.has_sac() && s.phase != Phase::ruptured &&
+                       record.frame > fault(eq21_warm_up, scenario_.growth.warm_up_frames);
     if (alive) {
         grow(s, record.impact_force);
         const ElasticWall w = advance_elastic_wall({s.displacement, s.wall_velocity}, record.impact_force,
