@@ -80,6 +80,18 @@ bool Quantity::equal(std::int64_t value, std::int64_t expected, std::string_view
     return within(static_cast<double>(value), static_cast<double>(expected), 0, where);
 }
 
+bool Quantity::found(std::int64_t compared, std::int64_t failed, double error, double allowed,
+                     std::string_view where)
+{
+    if (compared == 0) {
+        return false;
+    }
+    const bool good = within(error, 0, allowed, where) && failed == 0;
+    compared_ += compared - 1;
+    failed_ += std::max<std::int64_t>(failed - (error <= allowed ? 0 : 1), 0);
+    return good;
+}
+
 bool Quantity::holds(bool claim, std::string_view where)
 {
     return within(claim ? 1 : 0, 1, 0, where);

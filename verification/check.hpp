@@ -64,6 +64,9 @@ public:
     bool within(const Vec3& value, const Vec3& expected, double allowed, std::string_view where = {});
     /// Whole numbers, and bits: nothing is allowed.
     bool equal(std::int64_t value, std::int64_t expected, std::string_view where = {});
+    /// What a comparison of its own found: how many numbers, and the worst.
+    bool found(std::int64_t compared, std::int64_t failed, double error, double allowed,
+               std::string_view where);
     /// A claim without a number.
     bool holds(bool claim, std::string_view where = {});
 
@@ -171,6 +174,7 @@ private:
 enum class Scope {
     equations, ///< each subject with equations of its own: they are the same in both precisions
     flows,     ///< each subject
+    backends,  ///< each but the reference, which they are compared with
     once,      ///< whoever: it checks oracles, or compares subjects itself
 };
 

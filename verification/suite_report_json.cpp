@@ -58,7 +58,7 @@ Json to_json(const Plot& p)
 
 Json to_json(const Check& c)
 {
-    static constexpr std::array scopes{"equations", "flows", "once"};
+    static constexpr std::array scopes{"equations", "flows", "backends", "once"};
     return {{"id", c.id},
             {"level", "L" + std::to_string(static_cast<int>(c.level))},
             {"equations", c.equations},

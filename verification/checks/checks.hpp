@@ -16,5 +16,9 @@ std::vector<Check> pressure_solve_checks();
 std::vector<Check> box_flow_checks();
 std::vector<Check> duct_checks();
 std::vector<Check> wall_history_checks();
+// L4
+std::vector<Check> metamorphic_checks();
+// L5
+std::vector<Check> executor_checks();
 
 } // namespace aneurysm::verification
