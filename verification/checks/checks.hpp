@@ -7,6 +7,11 @@
 namespace aneurysm::verification
 {
 
+// The oracles among themselves
+std::vector<Check> oracle_flow_checks();
+std::vector<Check> oracle_duct_checks();
+std::vector<Check> oracle_row_checks();
+
 // L0
 std::vector<Check> rupture_checks();
 // L1
