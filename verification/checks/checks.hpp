@@ -16,6 +16,7 @@ std::vector<Check> oracle_row_checks();
 std::vector<Check> rupture_checks();
 // L1
 std::vector<Check> operator_checks();
+std::vector<Check> momentum_checks();
 std::vector<Check> pressure_solve_checks();
 // L2
 std::vector<Check> box_flow_checks();

@@ -2,8 +2,6 @@
 // Section 3.1, one frame in the periodic box: the sums (2), (5), (6), (7), the equation of state, (1) and
 // (15), on a lattice with plane waves, where each has a known symbol, and in a disturbed cloud against all
 // pairs.
-#include "analytic/incompressible.hpp"
-#include "analytic/kernel_function.hpp"
 #include "verification/checks/box.hpp"
 #include "verification/checks/checks.hpp"
 
@@ -207,40 +205,6 @@ void velocity_waves(Probe& probe)
     }
 }
 
-/// The accelerations of (3) cancel in pairs.
-void momentum(Probe& probe)
-{
-    Quantity& total = probe.quantity(
-        "sum of the velocities' changes [m/s]", Source::rounding,
-        "gamma_(n + 40), n = 40 neighbours at most, of the sum of |terms| of the pressure's accelerations, 2 "
-        "p m/rho_0^2 "
-        "times the steepest slope each, and gamma_2 of the velocities: the exact sums cancel in pairs");
-    Quantity& works = probe.quantity("solves that exchange momentum", Source::exact,
-                                     "at least one iteration: else there would be nothing to cancel");
-    Scenario s = box_scenario();
-    s.fluid.viscosity_pa_s = 0;
-    s.pressure.tolerance_per_s = 1e-3;
-    s.pressure.density_correction = 0.5;
-    Box box(probe, s);
-    box.disturb(0.15, 0.25, 2441);
-    const auto flow = probe.simulate(s, box.state());
-    works.holds(flow->advance().iterations > 0);
-    const double h = box.medium().lattice.h;
-    const double steepest = -analytic::kernel_slope(box.medium().lattice.kernel, h, 2 * h / 3);
-    const double rho_0 = s.fluid.density_kg_m3;
-    constexpr double neighbors = 40;
-    Vec3 sum;
-    double allowed = 0;
-    for (std::size_t i = 0; i < box.size(); ++i) {
-        const Vec3& v = flow->state().particles.velocity[i];
-        sum += v - box.state().particles.velocity[i];
-        const double terms =
-            2 * flow->solved_pressure()[i] * box.medium().mass * neighbors * steepest / (rho_0 * rho_0);
-        allowed += probe.gamma(2 * neighbors) * s.time.frame_s * terms + probe.gamma(2) * length(v);
-    }
-    total.within(sum, {}, allowed);
-}
-
 } // namespace
 
 std::vector<Check> operator_checks()
@@ -276,13 +240,6 @@ std::vector<Check> operator_checks()
          .oracles = {"symbol by direct lattice sum", "symbol by Poisson's formula (oracle checks)"},
          .scope = Scope::flows,
          .run = velocity_waves},
-        {.id = "eq03_momentum",
-         .level = Level::lattice,
-         .equations = {"3"},
-         .title = "the pressure solve gives no momentum to a closed box",
-         .oracles = {"Newton's third law"},
-         .scope = Scope::flows,
-         .run = momentum},
     };
 }
 
