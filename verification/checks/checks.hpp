@@ -21,6 +21,7 @@ std::vector<Check> pressure_solve_checks();
 // L2
 std::vector<Check> box_flow_checks();
 std::vector<Check> duct_checks();
+std::vector<Check> hydrostatics_checks();
 std::vector<Check> wall_history_checks();
 // L4
 std::vector<Check> metamorphic_checks();
