@@ -115,7 +115,8 @@ public:
     ANEURYSM_HD const Vector& extent() const { return extent_; }
     /// Edge of the box in each direction in which it repeats itself, else 0 [m].
     ANEURYSM_HD const Vector& period() const { return period_; }
-    /// x, or where it is once more within the periodic box; x isn't more than a box away from it.
+    /// x, or where it is once more within the periodic box, from 0 to less than its edge; x isn't more than a
+    /// box away from it.
     ANEURYSM_HD Vector wrapped(const Vector& x) const
     {
         return {wrapped(x.x, period_.x), wrapped(x.y, period_.y), wrapped(x.z, period_.z)};
@@ -173,7 +174,8 @@ private:
     }
     ANEURYSM_HD static Real wrapped(Real x, Real period)
     {
-        return x < 0 ? x + period : period > 0 && x >= period ? x - period : x;
+        const Real y = x < 0 ? x + period : x;
+        return period > 0 && y >= period ? y - period : y; // rounding may have led to the very edge
     }
     ANEURYSM_HD static DistanceT<Real> sphere(const Vector& x, const Vector& center, Real radius)
     {

@@ -69,7 +69,7 @@ public:
         std::vector<Row<Real>> v;
         std::vector<Real> pressure;
         for (std::size_t i = 0; i < p.size(); ++i) {
-            x.push_back(row(narrow<Real>(p.position[i]), Real(0)));
+            x.push_back(row(fields_.c.vessel.wrapped(narrow<Real>(p.position[i])), Real(0)));
             v.push_back(row(narrow<Real>(p.velocity[i]), Real(0)));
             pressure.push_back(static_cast<Real>(p.pressure[i]));
         }
@@ -87,10 +87,10 @@ public:
         executor_->upload(fields_.scene, &scene, 1);
     }
 
-    void upload_input(const FrameInput& input, const std::vector<double>& inlet_velocities)
+    void upload_input(const FrameInput& input, const std::vector<StepInput>& steps)
     {
         executor_->upload(input_, &input, 1);
-        executor_->upload(inlet_velocities_, inlet_velocities.data(), inlet_velocities.size());
+        executor_->upload(step_inputs_, steps.data(), steps.size());
     }
 
     /// All that a checkpoint holds but frame, spacing and mass.
@@ -167,7 +167,7 @@ private:
     {
         memory_.make(fields_.scene, 1);
         memory_.make(input_, 1);
-        inlet_velocities_ = memory_.make(fields_.inlet_velocities, 2 * steps_);
+        step_inputs_ = memory_.make(fields_.inputs, steps_);
     }
     void make_particles()
     {
@@ -279,7 +279,7 @@ private:
     Fields<Real> fields_;
     Saved saved_;
     FrameInput* input_ = nullptr;
-    double* inlet_velocities_ = nullptr;
+    StepInput* step_inputs_ = nullptr;
     Index n_;
     Index steps_;
     bool keeps_gradients_;

@@ -5,6 +5,7 @@
 
 #include "common/fault.hpp"
 #include "cuda/fields.hpp"
+#include "cuda/periodic.hpp"
 
 namespace aneurysm::device
 {
@@ -22,8 +23,11 @@ ANEURYSM_INLINE Pairs<Real> pairs(const Fields<Real>& f, Index i, const Lanes<In
 {
     const Row<Real> own = f.body_position[i];
     const RowLanes<Real> other = gather_rows(f.body_position, j);
-    const Vec3T<Lanes<Real>> x{Lanes<Real>(own.x) - other.x, Lanes<Real>(own.y) - other.y,
-                               Lanes<Real>(own.z) - other.z};
+    Vec3T<Lanes<Real>> x{Lanes<Real>(own.x) - other.x, Lanes<Real>(own.y) - other.y,
+                         Lanes<Real>(own.z) - other.z};
+    if (f.c.is_periodic) {
+        x = shortest(x, f.c.vessel.period());
+    }
     return {x, sqrt(dot(x, x)), other.w};
 }
 
@@ -161,6 +165,8 @@ ANEURYSM_HD Vec3T<Real> pressure_force(const Fields<Real>& f, Index i, Real outl
 /// Eq. (7)  Viscosity force; ghosts have the density rho_0:
 ///
 ///     F_i^viscosity = mu sum_j m_j (v_j - v_i) / rho_j lap W_ij                               [N/m^3]
+///
+/// over all j but the ghosts of a wall that lets blood slip.
 template <class Real>
 ANEURYSM_INLINE Vec3T<Real> viscosity_force(const Fields<Real>& f, Index i, Lane lane)
 {
@@ -177,7 +183,10 @@ ANEURYSM_INLINE Vec3T<Real> viscosity_force(const Fields<Real>& f, Index i, Lane
     }
     for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
         const Lanes<Index> j = neighbors(f.ghosts, b, lane);
-        const Pairs<Real> pair = pairs(f, i, j);
+        Pairs<Real> pair = pairs(f, i, j);
+        if (f.c.slips) {
+            pair.m = select(j < Lanes<Index>(f.c.first_wall()), pair.m, Number(0));
+        }
         const Vec3T<Number> v_j = gather_rows(f.body_velocity, j).vector();
         force += mu * pair.m / Number(f.c.rho_0) * f.c.kernel.viscosity_laplacian(pair.r) *
                  fault(eq07_ghosts, v_j - v_i);

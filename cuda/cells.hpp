@@ -52,6 +52,19 @@ public:
     CellProperties(const Constants<Real>& constants, const Setup& setup)
         : constants_(&constants), properties_(static_cast<std::size_t>(constants.grid.cells()), 0)
     {
+        if (setup.vessel.form() == DomainForm::artery) {
+            mark_ghosts(setup);
+        } else { // small domains, with ghosts all around or behind seams
+            std::ranges::fill(properties_, near_wall | near_opening);
+        }
+        mark_deep_cells(setup.vessel);
+    }
+
+    const std::vector<Index>& values() const { return properties_; }
+
+private:
+    void mark_ghosts(const Setup& setup)
+    {
         for (const Vec3& x : setup.ghosts.fixed().position) {
             mark_around(x, near_wall);
         }
@@ -61,12 +74,7 @@ public:
         for (const Opening& end : setup.vessel.openings()) {
             mark_slab(end, setup);
         }
-        mark_deep_cells(setup.vessel);
     }
-
-    const std::vector<Index>& values() const { return properties_; }
-
-private:
     /// All cells from which something at x may be seen.
     void mark_around(const Vec3& place, CellProperty what)
     {
@@ -114,8 +122,8 @@ private:
     void mark_deep_cells(const Vessel& vessel)
     {
         const Grid<Real>& grid = constants_->grid;
-        const Vec3 edge{1 / static_cast<double>(grid.per_x_width), 1 / static_cast<double>(grid.per_width),
-                        1 / static_cast<double>(grid.per_width)};
+        const Vec3 per_width = wide(grid.per_width);
+        const Vec3 edge{1 / per_width.x, 1 / per_width.y, 1 / per_width.z};
         const double deep = -1.01 * (0.5 * length(edge) + static_cast<double>(constants_->impact_band));
         for (Index y = 1; y + 1 < grid.y_cells; ++y) {
             for (Index z = 1; z + 1 < grid.z_cells; ++z) {

@@ -22,11 +22,28 @@ Vec3 wide(const Vec3T<Real>& v)
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
+/// One direction of the grid.
+struct GridAxis {
+    double low = 0;
+    double cells_per_metre = 0;
+    Index cells = 0;
+    Index period = 0; ///< in cells; 0: not periodic
+};
+/// With cells of `width`. A periodic box has whole cells, at least `fewest`, which are all that a body sees:
+/// then it doesn't matter that rounding may make them narrower.
+inline GridAxis grid_axis(double low, double high, double box, double width, Index fewest)
+{
+    if (!(box > 0)) {
+        return {low, 1 / width, static_cast<Index>((high - low) / width) + 2, 0};
+    }
+    const Index cells = std::max(static_cast<Index>(box / width), fewest);
+    return {0, cells / box, cells, cells};
+}
+
 /// The grid around all places where a body can be without harm; farther out the outermost cells go on.
 template <class Real>
 Grid<Real> make_grid(const Setup& setup)
 {
-    const double width = 2 * setup.h;
     Vec3 low = setup.lattice.fluid.front();
     Vec3 high = low;
     const auto include = [&](const std::vector<Vec3>& places) {
@@ -38,15 +55,20 @@ Grid<Real> make_grid(const Setup& setup)
     include(setup.ghosts.fixed().position);
     include(setup.ghosts.near_sac());
     include(setup.lattice.fluid);
-    const auto real = [](double x) { return static_cast<Real>(x); };
-    const double wide = width * (1 + 1e-5); // for rounding: a cell must not be narrower than the support
-    const auto cells = [&](double extent, double of) { return static_cast<Index>(extent / of) + 2; };
-    return {.low = narrow<Real>(low),
-            .per_width = real(1 / wide),
-            .per_x_width = real(2 / wide),
-            .x_cells = cells(high.x - low.x, wide / 2),
-            .y_cells = cells(high.y - low.y, wide),
-            .z_cells = cells(high.z - low.z, wide)};
+    const double width =
+        2 * setup.h * (1 + 1e-5); // for rounding: a cell must not be narrower than the support
+    const Vec3& box = setup.vessel.period();
+    const GridAxis x = grid_axis(low.x, high.x, box.x, width / 2, 5);
+    const GridAxis y = grid_axis(low.y, high.y, box.y, width, 3);
+    const GridAxis z = grid_axis(low.z, high.z, box.z, width, 3);
+    return {.low = narrow<Real>({x.low, y.low, z.low}),
+            .per_width = narrow<Real>({x.cells_per_metre, y.cells_per_metre, z.cells_per_metre}),
+            .x_cells = x.cells,
+            .y_cells = y.cells,
+            .z_cells = z.cells,
+            .x_period = x.period,
+            .y_period = y.period,
+            .z_period = z.period};
 }
 
 template <class Real>
@@ -60,12 +82,13 @@ Constants<Real> make_constants(const Scenario& s, const Setup& setup)
                       .model = s.pressure.model};
     c.particles = static_cast<Index>(s.particles.count);
     c.walls = static_cast<Index>(setup.ghosts.fixed().size() + setup.ghosts.near_sac().size());
+    c.is_periodic = length(setup.vessel.period()) > 0;
+    c.slips = s.domain.wall == WallCondition::slip;
     c.dx = real(setup.lattice.spacing);
     c.dt = real(s.time.frame_s / static_cast<double>(s.time.substeps));
     c.mass = real(setup.particle_mass);
     c.rho_0 = real(s.fluid.density_kg_m3);
     c.mu = real(s.fluid.viscosity_pa_s);
-    c.g = narrow<Real>(s.fluid.gravity_m_s2);
     c.kappa = real(s.pressure.stiffness_m2_s2);
     c.omega = real(s.pressure.relaxation);
     c.blow_up_ratio = real(s.pressure.blow_up_density_ratio);

@@ -112,8 +112,9 @@ struct DriveOpenings {
     ANEURYSM_HD void operator()() const
     {
         Scene& s = *f.scene;
-        s.inlet_velocity = f.inlet_velocities[2 * f.step + 1];
-        s.resets[0] = s.inlet_velocity >= 0 && f.inlet_velocities[2 * f.step] < 0 ? 1 : 0;
+        const StepInput& input = f.inputs[f.step];
+        s.inlet_velocity = input.inlet_velocity;
+        s.resets[0] = s.inlet_velocity >= 0 && input.inlet_before < 0 ? 1 : 0;
         for (int k = 0; k < 2; ++k) {
             const double previous = s.outlet_velocity[k];
             s.outlet_was[k] = previous;
@@ -254,13 +255,18 @@ ANEURYSM_HD bool is_taken(const Fields<Real>& f, Index id)
     const Vec3T<Real> x = f.position[id].vector();
     const Real reach = static_cast<Real>(fault(sec34_entry, closest_entry)) * f.c.dx;
     bool taken = false;
-    for_each_row(f.c.grid, x, f.start, [&](Range range) {
+    const auto look = [&](Range range) {
         for (Index s = range.begin; s < range.end; ++s) {
             const Index other = f.order[s];
-            const Vec3T<Real> d = f.position[other].vector() - x;
+            const Vec3T<Real> d = shortest(f.position[other].vector() - x, f.c.vessel.period());
             taken = taken || (f.kind[other] == Kind::fluid && length(d) < reach);
         }
-    });
+    };
+    if (f.c.is_periodic) {
+        for_each_row<true>(f.c.grid, x, f.start, look);
+    } else {
+        for_each_row<false>(f.c.grid, x, f.start, look);
+    }
     return taken;
 }
 

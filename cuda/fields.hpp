@@ -11,15 +11,18 @@ namespace aneurysm::device
 
 /// The grid of cells that holds every body: as wide as the support in y and z, half of that in x, along which
 /// bodies are read in a row. Beyond its edge the outermost cells go on. y is the slowest index: along it the
-/// artery is longest, so that neighbours are near in memory.
+/// artery is longest, so that neighbours are near in memory. In a periodic direction the cells fill the box,
+/// and the first is the last one's neighbour.
 template <class Real>
 struct Grid {
-    Vec3T<Real> low; ///< corner of cell 0 [m]
-    Real per_width = 0;
-    Real per_x_width = 0;
+    Vec3T<Real> low;       ///< corner of cell 0 [m]
+    Vec3T<Real> per_width; ///< cells in a metre
     Index x_cells = 0;
     Index y_cells = 0;
     Index z_cells = 0;
+    Index x_period = 0; ///< in cells; 0: not periodic
+    Index y_period = 0;
+    Index z_period = 0;
 
     ANEURYSM_HD Index cells() const { return x_cells * y_cells * z_cells; }
     ANEURYSM_HD static Index along(Real offset, Real per_width, Index cells)
@@ -27,9 +30,9 @@ struct Grid {
         const Real c = offset * per_width;
         return c >= 1 ? (c < static_cast<Real>(cells) ? static_cast<Index>(c) : cells - 1) : 0; // NaN: 0
     }
-    ANEURYSM_HD Index x_cell(Real x) const { return along(x - low.x, per_x_width, x_cells); }
-    ANEURYSM_HD Index y_cell(Real y) const { return along(y - low.y, per_width, y_cells); }
-    ANEURYSM_HD Index z_cell(Real z) const { return along(z - low.z, per_width, z_cells); }
+    ANEURYSM_HD Index x_cell(Real x) const { return along(x - low.x, per_width.x, x_cells); }
+    ANEURYSM_HD Index y_cell(Real y) const { return along(y - low.y, per_width.y, y_cells); }
+    ANEURYSM_HD Index z_cell(Real z) const { return along(z - low.z, per_width.z, z_cells); }
     ANEURYSM_HD Index index(Index x, Index y, Index z) const { return (y * z_cells + z) * x_cells + x; }
     ANEURYSM_HD Index cell(const Vec3T<Real>& r) const
     {
@@ -46,12 +49,13 @@ struct Constants {
     PressureModel model;
     Index particles = 0;
     Index walls = 0; ///< ghosts of the wall, as many as it ever has
+    bool is_periodic = false;
+    bool slips = false; ///< the wall exerts no viscous force
     Real dx = 0;
     Real dt = 0; ///< of a flow step
     Real mass = 0;
     Real rho_0 = 0;
     Real mu = 0;
-    Vec3T<Real> g{};
     Real kappa = 0; ///< of the equation of state
     Real omega = 0; ///< of the pressure's iteration
     Real blow_up_ratio = 0;
@@ -105,6 +109,13 @@ struct Scene {
     Index ghost_blocks;
 };
 
+/// What the host hands over for each flow step: what needs a sine.
+struct StepInput {
+    double inlet_before;   ///< (25) at the start of the step [m/s]
+    double inlet_velocity; ///< and at its end [m/s]
+    Vec3 gravity;          ///< the body force g at the end of the step [m/s^2]
+};
+
 /// What is known of a cell once and for all: which ghosts can be seen from it, and that no place in it is
 /// within the impact band of the wall or beyond it, however small the sac.
 enum CellProperty : Index { near_wall = 1, near_opening = 2, deep_inside = 4 };
@@ -115,9 +126,8 @@ template <class Real>
 struct Fields {
     Constants<Real> c;
     Scene* scene = nullptr;
-    const double* inlet_velocities =
-        nullptr;    ///< (25) at the start and the end of each flow step of the frame
-    Index step = 0; ///< flow step in the frame
+    const StepInput* inputs = nullptr; ///< [flow steps]
+    Index step = 0;                    ///< flow step in the frame
 
     // by id, [particles]
     Row<Real>* position = nullptr; ///< w: not used [m]
@@ -170,6 +180,12 @@ struct Fields {
     Index* entry_rank = nullptr; ///< [particles + 1]
     Index* reserve = nullptr;    ///< [particles] ids
 
+    /// g of (1) in this step [m/s^2]
+    ANEURYSM_HD Vec3T<Real> gravity() const
+    {
+        const Vec3& g = inputs[step].gravity;
+        return {static_cast<Real>(g.x), static_cast<Real>(g.y), static_cast<Real>(g.z)};
+    }
     ANEURYSM_HD bool has(const Vec3T<Real>& x, CellProperty property) const
     {
         return (cell_property[c.grid.cell(x)] & property) != 0;

@@ -83,7 +83,7 @@ struct Forces {
             const Real rho = f.body_velocity[i].w;
             const bool outlets = f.c.model == PressureModel::dfsph; // else they take part in (6)
             const Vec3T<Real> F_outlets = outlets ? f.force[i].vector() : Vec3T<Real>{};
-            const Vec3T<Real> force = momentum_force(rho, f.c.g, F_viscosity, F_outlets);
+            const Vec3T<Real> force = momentum_force(rho, f.gravity(), F_viscosity, F_outlets);
             f.force[i] = row(F_viscosity, Real(0));
             const Vec3T<Real> change = fault(eq15_change, f.c.dt * acceleration(rho, force));
             f.solved_velocity[i] = row(f.body_velocity[i].vector() + change, Real(0));
@@ -152,7 +152,8 @@ struct Move {
         f.solved_pressure[static_cast<std::size_t>(f.step) * static_cast<std::size_t>(f.c.particles) +
                           static_cast<std::size_t>(id)] = f.pressure[id];
         if (s < f.active_count()) {
-            f.position[id] = row(f.position[id].vector() + fault(eq15_way, f.c.dt * v), Real(0));
+            const Vec3T<Real> way = fault(eq15_way, f.c.dt * v);
+            f.position[id] = row(f.c.vessel.wrapped(f.position[id].vector() + way), Real(0));
         }
         f.event[id] = 0;
     }

@@ -28,10 +28,11 @@ struct Impacts {
         const Vec3T<Real> F_eos = pressure_force(f, i, Real(0), lane);
         if (lane.is_first()) {
             const Real rho = f.body_velocity[i].w;
+            const Vec3T<Real> g = f.gravity();
             const Vec3T<Real> F_viscosity = f.force[i].vector();
             const Vec3T<Real> F_pressure = fault(eq16_pressure, rho * f.acceleration[i].vector());
-            f.impact[i] = impact_force(f.c.mass, rho, momentum_force(rho, f.c.g, F_viscosity, F_pressure));
-            f.impact_eos[i] = impact_force(f.c.mass, rho, momentum_force(rho, f.c.g, F_viscosity, F_eos));
+            f.impact[i] = impact_force(f.c.mass, rho, momentum_force(rho, g, F_viscosity, F_pressure));
+            f.impact_eos[i] = impact_force(f.c.mass, rho, momentum_force(rho, g, F_viscosity, F_eos));
         }
     }
 

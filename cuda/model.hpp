@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/body_force.hpp"
 #include "common/error.hpp"
 #include "cuda/arrays.hpp"
 #include "cuda/deform.hpp"
@@ -90,14 +91,14 @@ private:
         const auto next = state_.frame + 1;
         const double dt = scenario_.time.frame_s;
         const double step = dt / static_cast<double>(scenario_.time.substeps);
-        std::vector<double> inlet;
+        std::vector<StepInput> steps;
         for (std::int64_t s = 1; s <= scenario_.time.substeps; ++s) {
             const double part = static_cast<double>(s) / static_cast<double>(scenario_.time.substeps);
             const double t = (static_cast<double>(state_.frame) + part) * dt;
-            inlet.push_back(inlet_velocity(scenario_, t - step));
-            inlet.push_back(inlet_velocity(scenario_, t));
+            steps.push_back({inlet_velocity(scenario_, t - step), inlet_velocity(scenario_, t),
+                             body_force_factor(scenario_, t) * scenario_.fluid.gravity_m_s2});
         }
-        arrays_.upload_input({next, static_cast<double>(next) * dt}, inlet);
+        arrays_.upload_input({next, static_cast<double>(next) * dt}, steps);
     }
 
     void run_frame()

@@ -5,6 +5,7 @@
 #include "common/fault.hpp"
 #include "cuda/fields.hpp"
 #include "cuda/hits.hpp"
+#include "cuda/periodic.hpp"
 
 namespace aneurysm::device
 {
@@ -30,8 +31,8 @@ struct Range {
     Index end;
 };
 
-/// The nine rows of cells around a place, as far along x as a particle sees.
-template <class Real, class Visit>
+/// The nine rows of cells around a place, as far along x as a particle sees; one that a seam divides is two.
+template <bool periodic, class Real, class Visit>
 ANEURYSM_INLINE void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, const Index* start,
                                   const Visit& visit)
 {
@@ -42,9 +43,16 @@ ANEURYSM_INLINE void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, 
     const Index behind_right = x + 3 < grid.x_cells ? x + 3 : grid.x_cells;
     for (Index dy = -1; dy <= 1; ++dy) {
         for (Index dz = -1; dz <= 1; ++dz) {
-            if (y + dy >= 0 && y + dy < grid.y_cells && z + dz >= 0 && z + dz < grid.z_cells) {
-                const Index first = grid.index(0, y + dy, z + dz);
+            const Index row_y = periodic ? through_seam(y + dy, grid.y_period) : y + dy;
+            const Index row_z = periodic ? through_seam(z + dz, grid.z_period) : z + dz;
+            if (row_y >= 0 && row_y < grid.y_cells && row_z >= 0 && row_z < grid.z_cells) {
+                const Index first = grid.index(0, row_y, row_z);
                 visit(Range{start[first + left], start[first + behind_right]});
+                if (periodic && grid.x_period > 0) {
+                    const Index from = x < 2 ? x - 2 + grid.x_period : 0;
+                    const Index to = x < 2 ? grid.x_period : x + 3 - behind_right;
+                    visit(Range{start[first + from], start[first + to]});
+                }
             }
         }
     }
@@ -58,23 +66,33 @@ struct Search {
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
+        if (f.c.is_periodic) {
+            search<true>(i, lane);
+        } else {
+            search<false>(i, lane);
+        }
+    }
+
+private:
+    template <bool periodic>
+    ANEURYSM_INLINE void search(Index i, Lane lane) const
+    {
         const Vec3T<Real> r = f.body_position[i].vector();
         const Index cells = f.c.grid.cells();
         Hits<fill> hits(fill ? f.free.body + lane_count * f.free.begin[i] : nullptr);
-        collect(i, r, f.start, 0, hits, lane);
+        collect<periodic>(i, r, f.start, 0, hits, lane);
         finish(f.free, i, hits, lane);
 
         Hits<fill> ghosts(fill ? f.ghosts.body + lane_count * f.ghosts.begin[i] : nullptr);
         if (f.has(r, near_opening)) {
-            collect(i, r, f.start + cells, 0, ghosts, lane);
+            collect<periodic>(i, r, f.start + cells, 0, ghosts, lane);
         }
         if (f.has(r, near_wall)) {
-            collect(i, r, f.wall_start, f.c.first_wall(), ghosts, lane);
+            collect<periodic>(i, r, f.wall_start, f.c.first_wall(), ghosts, lane);
         }
         finish(f.ghosts, i, ghosts, lane);
     }
-
-private:
+    template <bool periodic>
     ANEURYSM_HD void collect(Index i, const Vec3T<Real>& r, const Index* start, Index first, Hits<fill>& hits,
                              Lane lane) const
     {
@@ -82,11 +100,14 @@ private:
         const Number H2(f.c.kernel.support() * f.c.kernel.support());
         const Vec3T<Number> own{Number(r.x), Number(r.y), Number(r.z)};
         const Lanes<Index> self(i);
-        for_each_row(f.c.grid, r, start, [&](Range range) {
+        for_each_row<periodic>(f.c.grid, r, start, [&](Range range) {
             const Lanes<Index> end(first + fault(eq05_neighbors, range.end));
             for (Index k = first + range.begin; k < first + range.end; k += lane_count) {
-                const Vec3T<Number> x{own.x - load(f.body_x + k, lane), own.y - load(f.body_y + k, lane),
-                                      own.z - load(f.body_z + k, lane)};
+                Vec3T<Number> x{own.x - load(f.body_x + k, lane), own.y - load(f.body_y + k, lane),
+                                own.z - load(f.body_z + k, lane)};
+                if constexpr (periodic) {
+                    x = shortest(x, f.c.vessel.period());
+                }
                 const Lanes<Index> j = Lanes<Index>(k) + numbers(lane);
                 hits.add((dot(x, x) < H2) & (j < end) & (j != self), j, lane);
             }

@@ -27,7 +27,7 @@ struct Displaced {
         f.density[id] = free ? f.body_velocity[s].w : f.c.rho_0;
         if (free && moves) {
             const Vec3T<Real> way = f.c.dt * f.c.dt * f.acceleration[s].vector();
-            f.position[id] = row(f.position[id].vector() + way, Real(0));
+            f.position[id] = row(f.c.vessel.wrapped(f.position[id].vector() + way), Real(0));
         }
     }
 };
@@ -52,7 +52,7 @@ public:
     /// From the lattice in device memory to the settled state, there and in `state`.
     void run(SimulationState& state)
     {
-        constexpr int rounds = 10;
+        const int rounds = scenario_->pressure.density_correction > 0 ? 10 : 0;
         // At rest a step finds nothing to correct once the mean excess is this; the factor is for rounding.
         const double dt = scenario_->time.frame_s / static_cast<double>(scenario_->time.substeps);
         const double allowed = 1.001 * scenario_->pressure.tolerance_per_s * dt / correction;

@@ -92,10 +92,6 @@ Setup::Setup(const Scenario& scenario, const std::optional<SimulationState>& sta
                     lattice_kernel_sum(scenario.kernel.function, h, lattice.spacing)),
       ghosts(ghost_lattice(scenario, vessel, lattice.spacing, 2 * h, particle_mass))
 {
-    if (scenario.domain.form != DomainForm::artery) {
-        throw InputError("domain.form", "only the reference runs other forms than the artery yet",
-                         "allowed: artery");
-    }
     check_stability(scenario, lattice.spacing);
 }
 

@@ -4,6 +4,7 @@
 #include "common/fault.hpp"
 #include "common/initial_state.hpp"
 #include "common/sampling.hpp"
+#include "reference/neighbors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -130,7 +131,7 @@ void Controller::hold_back(Particles& particles, std::size_t k) const
 bool Controller::is_taken(const Particles& particles, const Vec3& x) const
 {
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        const Vec3 d = particles.position[i] - x;
+        const Vec3 d = difference(particles.position[i], x, vessel_->period());
         if (particles.kind[i] == Kind::fluid && length(d) < fault(sec34_entry, closest_entry) * dx_) {
             return true;
         }

@@ -25,13 +25,15 @@ struct Axis {
         const auto c = static_cast<std::int64_t>(std::floor((x - low) / width));
         return period > 0 ? (c % cells + cells) % cells : c;
     }
-    /// The shortest way from b to a.
-    double difference(double a, double b) const
-    {
-        const double d = a - b;
-        return period > 0 ? d - period * std::round(d / period) : d;
-    }
+    /// First of the neighbouring cells, which end with the next one; of two cells each has one neighbour.
+    std::int64_t first() const { return period > 0 && cells == 2 ? 0 : -1; }
 };
+
+double difference(double a, double b, double period)
+{
+    const double d = a - b;
+    return period > 0 ? d - period * std::round(d / period) : d;
+}
 
 Axis make_axis(double low, double high, double period, double support)
 {
@@ -39,9 +41,9 @@ Axis make_axis(double low, double high, double period, double support)
         return {low, support, 0, static_cast<std::int64_t>(std::floor((high - low) / support)) + 1};
     }
     const auto cells = static_cast<std::int64_t>(std::floor(period / support));
-    if (cells < 3) {
+    if (cells < 2) {
         throw Error("neighbour search", "a periodic box of " + std::to_string(period) + " m",
-                    "at least three supports of " + std::to_string(support) + " m");
+                    "at least two supports of " + std::to_string(support) + " m");
     }
     return {low, period / static_cast<double>(cells), period, cells};
 }
@@ -75,18 +77,13 @@ public:
         }
     }
 
-    Vec3 difference(const Vec3& a, const Vec3& b) const
-    {
-        return {axes_[0].difference(a.x, b.x), axes_[1].difference(a.y, b.y), axes_[2].difference(a.z, b.z)};
-    }
-
-    /// Calls visit(j) for each body in the 27 cells around r.
+    /// Calls visit(j) for each body in the cell of r and those around it.
     template <class Visit>
     void around(const Vec3& r, const Visit& visit) const
     {
-        for (std::int64_t dz = -1; dz <= 1; ++dz) {
-            for (std::int64_t dy = -1; dy <= 1; ++dy) {
-                for (std::int64_t dx = -1; dx <= 1; ++dx) {
+        for (std::int64_t dz = axes_[2].first(); dz <= 1; ++dz) {
+            for (std::int64_t dy = axes_[1].first(); dy <= 1; ++dy) {
+                for (std::int64_t dx = axes_[0].first(); dx <= 1; ++dx) {
                     const auto x = wrap(0, axes_[0].cell(r.x) + dx);
                     const auto y = wrap(1, axes_[1].cell(r.y) + dy);
                     const auto z = wrap(2, axes_[2].cell(r.z) + dz);
@@ -119,6 +116,11 @@ private:
 
 } // namespace
 
+Vec3 difference(const Vec3& a, const Vec3& b, const Period& period)
+{
+    return {difference(a.x, b.x, period.x), difference(a.y, b.y, period.y), difference(a.z, b.z, period.z)};
+}
+
 Neighbors::Neighbors(const Bodies& bodies, const Kernel& kernel, const Period& period)
     : begin_(bodies.size() + 1, 0)
 {
@@ -127,7 +129,7 @@ Neighbors::Neighbors(const Bodies& bodies, const Kernel& kernel, const Period& p
         begin_[i] = list_.size();
         if (bodies.free(i)) {
             grid.around(bodies.position[i], [&](std::size_t j) {
-                const Vec3 x = grid.difference(bodies.position[i], bodies.position[j]);
+                const Vec3 x = difference(bodies.position[i], bodies.position[j], period);
                 const double r = length(x);
                 if (r < kernel.support()) {
                     list_.push_back(

@@ -44,12 +44,15 @@ struct Neighbor {
 /// Box lengths of a periodic domain; 0: not periodic in that direction.
 using Period = Vec3;
 
+/// The shortest way from b to a.
+Vec3 difference(const Vec3& a, const Vec3& b, const Period& period);
+
 /// The neighbours of every free body, ascending in j.
 class Neighbors
 {
 public:
-    /// By a grid of cells as wide as the support; in a periodic direction the box must hold at least 3 cells.
-    /// \throws Error when it holds fewer
+    /// By a grid of cells as wide as the support; in a periodic direction the box must hold at least 2 cells,
+    /// so that no body sees another one twice. \throws Error when it holds fewer
     Neighbors(const Bodies& bodies, const Kernel& kernel, const Period& period = {});
 
     /// Empty for bodies that are not free.

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/frame_bounds.hpp"
 
+#include "common/body_force.hpp"
 #include "reference/growth.hpp"
 #include "reference/incompressible.hpp"
 #include "reference/rupture.hpp"
+#include "verification/seam_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace aneurysm::verification
 {
@@ -89,6 +92,18 @@ void FrameBounds::see(FlowStage stage, double t, const SimulationState& state, c
     }
 }
 
+/// Frame number times dt, the sine's argument and the sine: 8 roundings to double on each side, as in (25).
+BodyForce FrameBounds::body_force() const
+{
+    const Vec3& g = scenario_->fluid.gravity_m_s2;
+    const double T = scenario_->fluid.gravity_cycle_s;
+    if (!(T > 0)) {
+        return {g, 0};
+    }
+    const double in_double = 2 * 8 * 0x1p-53 * length(g) * (2 * std::numbers::pi / T * time_ + 1);
+    return {body_force_factor(*scenario_, time_) * g, rounding_.units(in_double)};
+}
+
 /// The sums of the step, then v and x' = x + dt v of all that move.
 void FrameBounds::see_moved(const SimulationState& state, const reference::Wall& wall, const FlowStep& step)
 {
@@ -100,14 +115,16 @@ void FrameBounds::see_moved(const SimulationState& state, const reference::Wall&
     bodies.mass.resize(count);
     bodies.mass.insert(bodies.mass.end(), g.ghosts.mass.begin(), g.ghosts.mass.end());
     bodies.velocity.resize(bodies.size());
-    bodies.role.resize(bodies.size(), Role::mirror);
+    const bool slips = scenario_->domain.wall == WallCondition::slip;
+    bodies.role.resize(bodies.size(), slips ? Role::slip : Role::mirror);
     BodyErrors in{errors_->position, errors_->velocity, std::vector<double>(count, state.particles.mass),
                   errors_->outlet_velocity};
     in.position.insert(in.position.end(), g.position_error.begin(), g.position_error.end());
     in.velocity.resize(bodies.size(), 0);
     in.mass.insert(in.mass.end(), g.mass_error.begin(), g.mass_error.end());
-    const StepBounds bounds(*scenario_, kernel_.smoothing_length(), rounding_, step, bodies,
-                            driven_.particles.velocity, driven_, in);
+    const reference::Period& box = wall_.vessel().period();
+    const StepBounds bounds(*scenario_, kernel_.smoothing_length(), box, body_force(), rounding_, step,
+                            bodies, driven_.particles.velocity, driven_, in);
 
     const double dt = scenario_->time.frame_s / static_cast<double>(scenario_->time.substeps);
     const bool eos = scenario_->pressure.model == PressureModel::eos;
@@ -123,8 +140,10 @@ void FrameBounds::see_moved(const SimulationState& state, const reference::Wall&
             errors_->velocity[i] = bounds.velocity[i];
             errors_->pressure[i] = eos ? bounds.pressure[i] : 0;
         }
-        errors_->position[i] += dt * (errors_->velocity[i] + 2 * length(state.particles.velocity[i])) +
-                                length(state.particles.position[i]);
+        const Vec3& x = state.particles.position[i];
+        const double way = dt * length(state.particles.velocity[i]);
+        errors_->position[i] += dt * errors_->velocity[i] + 2 * way + length(x);
+        errors_->position[i] += seam_error(x, way + rounding_.absolute(errors_->position[i]), box);
     }
     record_.add_step(state, step, wall, bounds, *errors_, before);
 }

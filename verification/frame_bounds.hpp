@@ -42,6 +42,7 @@ public:
 private:
     void see_moved(const SimulationState& state, const reference::Wall& wall,
                    const reference::FlowStep& step);
+    BodyForce body_force() const;
     void bound_wall(const SimulationState& start, const SimulationState& end, FrameRange& range) const;
 
     const Scenario* scenario_;
@@ -58,7 +59,7 @@ private:
     SimulationState driven_;
     SimulationState last_; ///< at the stage before
     std::optional<Vec3> breach_;
-    double time_ = 0;
+    double time_ = 0; ///< at the end of the step [s]
     std::vector<double> taken_pressure_;
 };
 

@@ -14,9 +14,10 @@ namespace
 /// Wider than the rounding of any distance: 100 operations on the largest coordinate.
 double widest(const Vessel& vessel, const Rounding& rounding)
 {
-    double extent = 0;
-    for (const Opening& end : vessel.openings()) {
-        extent = std::max(extent, length(end.center) + 2 * end.radius);
+    double extent = 2 * length(vessel.extent());
+    for (std::size_t k = 0; k < vessel.openings().size(); ++k) {
+        const Opening& end = vessel.openings().at(k);
+        extent = std::max(extent, vessel.is_open(k) ? length(end.center) + 2 * end.radius : 0);
     }
     return rounding.absolute(100 * extent);
 }

@@ -181,6 +181,7 @@ void Lockstep::check_particles(const Pair& pair, Extent extent, FrameCheck& chec
     const Particles& p = pair.candidate.particles;
     const Particles& q = pair.reference.particles;
     const ParticleErrors& e = bounds_.errors();
+    const reference::Period& box = reference_.vessel().period();
     check.field("position [m]");
     check.field("velocity [m/s]");
     check.field("pressure [Pa]");
@@ -202,7 +203,8 @@ void Lockstep::check_particles(const Pair& pair, Extent extent, FrameCheck& chec
                  rounding_.absolute(e.density[i]), index);
         if (q.kind[i] != Kind::reserve && p.kind[i] != Kind::reserve) {
             check.field("position [m]")
-                .add(length(p.position[i] - q.position[i]), rounding_.absolute(e.position[i]), index);
+                .add(length(reference::difference(p.position[i], q.position[i], box)),
+                     rounding_.absolute(e.position[i]), index);
             check.field("velocity [m/s]")
                 .add(length(p.velocity[i] - q.velocity[i]), rounding_.absolute(e.velocity[i]), index);
         }

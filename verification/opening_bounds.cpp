@@ -5,6 +5,7 @@
 #include "common/scenario_limits.hpp"
 #include "reference/boundary.hpp"
 #include "reference/controller.hpp"
+#include "verification/seam_bounds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -267,8 +268,9 @@ bool OpeningBounds::is_taken_open(const Particles& p, std::size_t i, const Parti
     const Inexact reach{closest_entry * dx_, 2 * closest_entry * dx_};
     for (std::size_t j = 0; j < p.size(); ++j) {
         if (p.kind[j] == Kind::fluid) {
-            const Inexact d =
-                norm(inexact(p.position[j], errors.position[j]) - inexact(p.position[i], errors.position[i]));
+            const Inexact d = norm(shortest(inexact(p.position[j], errors.position[j]) -
+                                                inexact(p.position[i], errors.position[i]),
+                                            wall_->vessel().period()));
             if (is_positive(d - reach, rounding_) == Truth::open) {
                 return true;
             }

@@ -2,6 +2,7 @@
 #include "verification/step_bounds.hpp"
 
 #include "reference/boundary.hpp"
+#include "verification/seam_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,18 +15,19 @@ using reference::FlowStep;
 using reference::Neighbor;
 using reference::Role;
 
-StepBounds::StepBounds(const Scenario& scenario, double h, const Rounding& rounding, const FlowStep& step,
+StepBounds::StepBounds(const Scenario& scenario, double h, const reference::Period& box,
+                       const BodyForce& body_force, const Rounding& rounding, const FlowStep& step,
                        const Bodies& bodies, std::span<const Vec3> before, const SimulationState& driven,
                        const BodyErrors& errors)
     : density(step.velocity.size(), 0), pressure(bodies.size(), 0), velocity(step.velocity.size(), 0),
       residual(step.velocity.size(), 0), divergence(step.velocity.size(), 0), scenario_(&scenario),
       rho_0_(scenario.fluid.density_kg_m3),
-      dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)), h_(h), rounding_(rounding),
-      kernel_(scenario.kernel.function, h), step_(&step), bodies_(&bodies), errors_(&errors),
-      begin_(bodies.size() + 1, 0), start_velocity_(errors.velocity), viscosity_(step.velocity.size(), 0),
-      acceleration_(step.velocity.size(), 0)
+      dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)), h_(h),
+      body_force_(body_force), rounding_(rounding), kernel_(scenario.kernel.function, h), step_(&step),
+      bodies_(&bodies), errors_(&errors), begin_(bodies.size() + 1, 0), start_velocity_(errors.velocity),
+      viscosity_(step.velocity.size(), 0), acceleration_(step.velocity.size(), 0)
 {
-    find_pairs(rounding.absolute(2 * *std::ranges::max_element(errors.position) + 10 * 2 * h));
+    find_pairs(box, rounding.absolute(2 * *std::ranges::max_element(errors.position) + 10 * 2 * h));
     bound_density();
     bound_forces(before, driven);
     bound_pressure(driven);
@@ -33,17 +35,19 @@ StepBounds::StepBounds(const Scenario& scenario, double h, const Rounding& round
 }
 
 /// Also the pairs that the candidate may find just inside the support.
-void StepBounds::find_pairs(double support_margin)
+void StepBounds::find_pairs(const reference::Period& box, double support_margin)
 {
     const reference::Kernel wide(scenario_->kernel.function, h_ + support_margin / 2);
-    const reference::Neighbors neighbors(*bodies_, wide);
+    const reference::Neighbors neighbors(*bodies_, wide, box);
     for (std::size_t i = 0; i < bodies_->size(); ++i) {
         begin_[i] = pairs_.size();
         for (const Neighbor& n : neighbors.of(i)) {
-            const Vec3 x = bodies_->position[i] - bodies_->position[n.j];
+            const Vec3& a = bodies_->position[i];
+            const Vec3& b = bodies_->position[n.j];
             // A body's distance to itself is 0 for both.
-            const double difference = n.j == i ? 0 : errors_->position[i] + errors_->position[n.j];
-            pairs_.push_back({n.j, kernel_.of(length(x), difference)});
+            const double error =
+                n.j == i ? 0 : errors_->position[i] + errors_->position[n.j] + seam_error(a, b, box);
+            pairs_.push_back({n.j, kernel_.of(length(reference::difference(a, b, box)), error)});
         }
     }
     begin_[bodies_->size()] = pairs_.size();
@@ -68,7 +72,7 @@ void StepBounds::bound_density()
 void StepBounds::bound_forces(std::span<const Vec3> before, const SimulationState& driven)
 {
     const double mu = scenario_->fluid.viscosity_pa_s;
-    const double g = length(scenario_->fluid.gravity_m_s2);
+    const double g = length(body_force_.g);
     const auto velocity_of = [&](std::size_t j) { return j < before.size() ? before[j] : Vec3{}; };
     for (std::size_t i = 0; i < viscosity_.size(); ++i) {
         if (!bodies_->free(i)) {
@@ -77,6 +81,9 @@ void StepBounds::bound_forces(std::span<const Vec3> before, const SimulationStat
         double magnitude = 0;
         double error = 0;
         for (const Pair& n : pairs(i)) {
+            if (bodies_->role[n.j] == Role::slip) {
+                continue;
+            }
             const double dv = length(velocity_of(n.j) - velocity_of(i));
             const double dv_error = n.j == i ? 0 : errors_->velocity[i] + errors_->velocity[n.j] + dv;
             const double factor = mu * bodies_->mass[n.j] / rho(n.j);
@@ -87,7 +94,8 @@ void StepBounds::bound_forces(std::span<const Vec3> before, const SimulationStat
         }
         viscosity_[i] = error + (terms(i) + 6) * magnitude;
         const double force = rho(i) * g + length(step_->F_viscosity[i]) + length(step_->F_outlet[i]);
-        const double force_error = density[i] * g + viscosity_[i] + outlet_force_error(i, driven) + 4 * force;
+        const double force_error = density[i] * g + rho(i) * body_force_.error + viscosity_[i] +
+                                   outlet_force_error(i, driven) + 4 * force;
         const double a_error = (force_error + force * (density[i] / rho(i) + 1)) / rho(i);
         start_velocity_[i] =
             errors_->velocity[i] + dt_ * (a_error + 2 * force / rho(i)) + length(bodies_->velocity[i]);
@@ -167,7 +175,7 @@ double StepBounds::eos_error(std::size_t i, std::span<const double> p, std::span
     double magnitude = 0;
     double error = 0;
     for (const Pair& n : pairs(i)) {
-        const bool mirror = bodies_->role[n.j] == Role::mirror;
+        const bool mirror = bodies_->role[n.j] == Role::mirror || bodies_->role[n.j] == Role::slip;
         const double p_j = mirror ? p[i] : p[n.j];
         const double sum = std::abs(p[i]) + std::abs(p_j);
         const double sum_error = p_error[i] + (mirror ? p_error[i] : p_error[n.j]);
@@ -212,11 +220,12 @@ void StepBounds::bound_divergence()
 InexactForce StepBounds::force(std::size_t i) const
 {
     const double m = bodies_->mass[i];
-    const Vec3& g = scenario_->fluid.gravity_m_s2;
+    const Vec3& g = body_force_.g;
     const auto inexact_force = [&](const Vec3& F_pressure, double pressure_error) {
         const Vec3 force = reference::momentum_force(rho(i), g, step_->F_viscosity[i], F_pressure);
         const double magnitude = rho(i) * length(g) + length(step_->F_viscosity[i]) + length(F_pressure);
-        const double error = density[i] * length(g) + viscosity_[i] + pressure_error + 4 * magnitude;
+        const double error = density[i] * length(g) + rho(i) * body_force_.error + viscosity_[i] +
+                             pressure_error + 4 * magnitude;
         const double F = length(m / rho(i) * force);
         return Inexact{F, m / rho(i) * error + F * (density[i] / rho(i) + 7)};
     };

@@ -21,6 +21,12 @@ struct BodyErrors {
     std::array<double, 2> outlet_velocity{};
 };
 
+/// The body force g of (1) in one step. Time, argument and sine are computed in double.
+struct BodyForce {
+    Vec3 g;           ///< [m/s^2]
+    double error = 0; ///< before its last rounding [in U]
+};
+
 /// The forces of (16) on a particle and their rounding.
 struct InexactForce {
     Inexact dfsph; ///< with the pressure that drives the flow [N]
@@ -35,12 +41,13 @@ struct InexactForce {
 class StepBounds
 {
 public:
+    /// \param box     edges of the periodic box
     /// \param before  velocity by particle, before any force [m/s]
     /// \param step    the reference's step; its bodies may be followed by ghosts of mass 0 that only the
     ///                candidate may have
-    StepBounds(const Scenario& scenario, double h, const Rounding& rounding, const reference::FlowStep& step,
-               const reference::Bodies& bodies, std::span<const Vec3> before, const SimulationState& driven,
-               const BodyErrors& errors);
+    StepBounds(const Scenario& scenario, double h, const reference::Period& box, const BodyForce& body_force,
+               const Rounding& rounding, const reference::FlowStep& step, const reference::Bodies& bodies,
+               std::span<const Vec3> before, const SimulationState& driven, const BodyErrors& errors);
 
     /// (16) for one particle.
     InexactForce force(std::size_t i) const;
@@ -56,7 +63,7 @@ private:
         std::size_t j = 0;
         PairBounds kernel;
     };
-    void find_pairs(double support_margin);
+    void find_pairs(const reference::Period& box, double support_margin);
     void bound_density();
     void bound_forces(std::span<const Vec3> before, const SimulationState& driven);
     double outlet_force_error(std::size_t i, const SimulationState& driven) const;
@@ -76,6 +83,7 @@ private:
     double rho_0_;
     double dt_;
     double h_;
+    BodyForce body_force_;
     Rounding rounding_;
     KernelBounds kernel_;
     const reference::FlowStep* step_;

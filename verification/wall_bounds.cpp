@@ -66,8 +66,30 @@ InexactDistance WallBounds::blend(const InexactDistance& a, const InexactDistanc
     return {{value, error}, s * a.gradient + rest * b.gradient};
 }
 
+/// Two plates, a round tube, or nothing.
+InexactDistance WallBounds::straight_wall(const InexactVec& x) const
+{
+    const Vec3& edges = vessel_->extent();
+    switch (vessel_->form()) {
+    case DomainForm::channel: {
+        const Inexact below = -x.y;
+        const Inexact above = x.y - rounded(edges.y);
+        return below.value > above.value ? InexactDistance{below, inexact({0, -1, 0}, 0)}
+                                         : InexactDistance{above, inexact({0, 1, 0}, 0)};
+    }
+    case DomainForm::tube:
+    case DomainForm::pipe:
+        return sphere({x.x, Inexact{}, x.z}, inexact({}, 0), rounded(edges.x / 2));
+    default:
+        return {rounded(-Vessel::nowhere), inexact({}, 0)};
+    }
+}
+
 InexactDistance WallBounds::tubes(const InexactVec& x) const
 {
+    if (vessel_->form() != DomainForm::artery) {
+        return straight_wall(x);
+    }
     return blend(tube(0, x), blend(tube(1, x), tube(2, x), junction_smoothing_), junction_smoothing_);
 }
 
@@ -129,6 +151,10 @@ Inexact WallBounds::beyond(std::size_t k, const InexactVec& x) const
 
 Truth WallBounds::is_nearest(std::size_t k, const InexactVec& x) const
 {
+    if (vessel_->form() != DomainForm::artery) {
+        const Truth upper = is_positive(x.y - rounded(vessel_->extent().y / 2), rounding_);
+        return k == 0 ? !upper : k == 1 ? upper : Truth::no;
+    }
     const Inexact own = tube(k, x).value;
     Truth nearest = Truth::yes;
     for (std::size_t other = 0; other < 3; ++other) {

@@ -35,6 +35,7 @@ public:
 
 private:
     InexactDistance tube(std::size_t k, const InexactVec& x) const;
+    InexactDistance straight_wall(const InexactVec& x) const;
     InexactDistance blend(const InexactDistance& a, const InexactDistance& b, double width) const;
     InexactDistance pear(const InexactVec& x, const Inexact& R) const;
 
