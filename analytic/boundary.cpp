@@ -4,6 +4,7 @@
 #include "analytic/kernel_function.hpp"
 
 #include <gsl/gsl_interp.h>
+#include <gsl/gsl_sf_erf.h>
 #include <gsl/gsl_sf_trig.h>
 
 #include <numbers>
@@ -134,6 +135,11 @@ double channel_velocity(double G, double mu, double H, double y)
     return G * y * (H - y) / (2 * mu);
 }
 
+double started_flow(double U, double nu, double t, double y)
+{
+    return U * gsl_sf_erf(y / (2 * std::sqrt(nu * t)));
+}
+
 double displacement(const Oscillator& wall, double F, double t)
 {
     return F / wall.k + swing(wall, wall.u_0 - F / wall.k, t);
@@ -147,6 +153,12 @@ double displacement_driven(const Oscillator& wall, double F, double O, double t)
         return free + F / (2 * wall.k) * (std::sin(w * t) - w * t * std::cos(w * t));
     }
     return free + F / (wall.k - wall.m * O * O) * (std::sin(O * t) - O / w * std::sin(w * t));
+}
+
+Estimate driven_response(const Oscillator& wall, const std::function<double(double)>& force, double t)
+{
+    const double w = wall.frequency();
+    return integrate([&](double s) { return force(s) * std::sin(w * (t - s)) / (wall.m * w); }, 0, t);
 }
 
 Estimate displacement_after_steps(const Oscillator& wall, double F, double G, double O, double dt, int n)

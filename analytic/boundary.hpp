@@ -40,6 +40,10 @@ Estimate outlet_force_continuum(KernelName name, double h, double p, double z);
 /// [m/s].
 double channel_velocity(double G, double mu, double H, double y);
 
+/// Eq. (27)  Velocity at the distance y from a wall at rest, t after the fluid was set in motion with U
+/// (Stokes' first problem): U erf(y/(2 sqrt(nu t))) [m/s].
+double started_flow(double U, double nu, double t, double y);
+
 /// Wall of (28): m u'' = F - k u.
 struct Oscillator {
     double m = 0;   ///< [kg]
@@ -60,6 +64,10 @@ double displacement(const Oscillator& wall, double F, double t);
 ///     u = u_0 cos wt + v_0/w sin wt + F/(m (w^2 - O^2)) [ sin Ot - O/w sin wt ]
 ///     u = u_0 cos wt + v_0/w sin wt + F/(2 m w^2) [ sin wt - wt cos wt ]                          O = w
 double displacement_driven(const Oscillator& wall, double F, double O, double t);
+
+/// Eq. (28)  What a force adds to the free motion, by quadrature of the response to each of its impulses
+/// (Duhamel's integral), int_0^t F(s) sin(w(t - s))/(m w) ds [m].
+Estimate driven_response(const Oscillator& wall, const std::function<double(double)>& force, double t);
 
 /// Eq. (28)  What n symplectic Euler steps give, exactly: theta = 2 asin(w dt/2), force F + G sin(O k dt) in
 /// the step from k to k + 1,

@@ -21,13 +21,11 @@ Precise b_spline(int degree, int first, const Precise& x)
            degree;
 }
 
-/// 20 int_x^1 t (1 - t)^3 dt, term by term.
+/// 20 int_x^1 t (1 - t)^3 dt = 20 int_0^(1 - x) (1 - s) s^3 ds.
 Precise wendland_integral(const Precise& x)
 {
-    const auto antiderivative = [](const Precise& t) {
-        return Precise(t * t / 2 - pow(t, 3) + 3 * pow(t, 4) / 4 - pow(t, 5) / 5);
-    };
-    return 20 * (antiderivative(1) - antiderivative(x));
+    const Precise s = 1 - x;
+    return 20 * (pow(s, 4) / 4 - pow(s, 5) / 5);
 }
 
 Precise kernel_at(KernelName name, double h, const Precise& r)
@@ -83,20 +81,22 @@ Eigen::Vector3d exact_kernel_gradient(KernelName name, double h, const Eigen::Ve
     return gradient;
 }
 
-double exact_viscosity_laplacian(double H, double r)
+Estimate exact_viscosity_laplacian(double H, double r)
 {
     if (r < H / 1000) {
         throw std::invalid_argument("exact_viscosity_laplacian: too near to 0 for a difference");
     }
     if (r >= H) {
-        return 0;
+        return {};
     }
     const auto r_times_kernel = [&](const Precise& x) { // r W of Mueller et al. 2003, with z = r/H
         const Precise z = x / H;
         return Precise(15 / (2 * precise_pi() * Precise(H) * H) *
                        (-pow(z, 4) / 2 + pow(z, 3) + Precise(1) / 2 - z));
     };
-    return static_cast<double>(precise_curvature(r_times_kernel, r, H) / r);
+    const Precise largest = 45 / (precise_pi() * pow(Precise(H), 5));
+    return {static_cast<double>(precise_curvature(r_times_kernel, r, H) / r),
+            2e-25 * H / r * static_cast<double>(largest)};
 }
 
 } // namespace aneurysm::analytic

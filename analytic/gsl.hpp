@@ -115,7 +115,7 @@ Estimate differentiate(Function f, double h)
 template <class Function>
 Estimate integrate_ode(Function f, double x_0, double y_0, double x_1)
 {
-    constexpr double step_error = 1e-13;
+    constexpr double step_error = 2e-15;
     gsl_return_errors();
     const auto slope = [](double x, const double* y, double* dydx, void* self) {
         *dydx = (*static_cast<Function*>(self))(x, *y);

@@ -90,6 +90,16 @@ double kernel(KernelName name, double h, double r)
     return shape_scale(name) * (5 * std::pow(s, 4) / 16 - std::pow(s, 5) / 8) / std::pow(h, 3);
 }
 
+double kernel_terms(KernelName name, double h, double r)
+{
+    const double q = r / h;
+    const double s = positive_part(2 - q);
+    if (name == KernelName::cubic_spline) {
+        return (std::pow(s, 3) + 4 * std::pow(positive_part(1 - q), 3)) / (4 * pi * std::pow(h, 3));
+    }
+    return shape_scale(name) * (5 * std::pow(s, 4) / 16 + std::pow(s, 5) / 8) / std::pow(h, 3);
+}
+
 double kernel_slope(KernelName name, double h, double r)
 {
     const double q = r / h;

@@ -22,6 +22,9 @@ using Radial = std::function<double(double)>;
 /// The sum of the terms' magnitudes is at most 9 W(0); 16 roundings.
 double kernel(KernelName name, double h, double r);
 
+/// Sum of the magnitudes of those terms [1/m^3].
+double kernel_terms(KernelName name, double h, double r);
+
 /// dW/dr [1/m^4], term by term from the forms above.
 double kernel_slope(KernelName name, double h, double r);
 
