@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Every equation of the table has its one reference function, its device function, an oracle and a test.
+"""Every equation of the table has its one reference function, its device function, an oracle and a check.
 
 Reads common/equations.hpp and looks for
   - `Eq. (N)` at the start of the doc comment of the row's function, once under reference/, and that function's body;
   - the same once under cuda/, whatever its arguments;
   - `Eq. (N)` in a doc comment under analytic/;
-  - a test case `eqNN_...` under tests/.
+  - a check `eqNN_...` of the suite under verification/checks/, or a test case `eqNN_...` under tests/.
 """
 import re
 
@@ -15,7 +15,8 @@ ROW = re.compile(r'\{"(\w+)",\s*"([\d.]+)",\s*"([^"]*)",\s*"(\w+)",\s*Status::')
 DOCUMENTED = re.compile(r"((?:^[ \t]*///.*\n)+)([^;{]*)", re.MULTILINE)
 HEAD = re.compile(r"\s*///\s*Eq\. \((\w+)\)")
 MENTION = re.compile(r"^\s*///.*", re.MULTILINE)
-TEST = re.compile(r"BOOST_\w*TEST_CASE\w*\(\s*eq(\w+?)_")
+TEST = re.compile(r"BOOST_\w*TEST_CASE\w*\(\s*eq([^\W_]+)_")
+CHECK = re.compile(r"\.id\s*=\s*\"eq([^\W_]+)_")
 
 
 def text_of(root, room):
@@ -41,7 +42,7 @@ def check(root):
     device = text_of(root, "cuda")
     device_functions = list(documented_functions(device))
     oracles = "\n".join(MENTION.findall(text_of(root, "analytic")))
-    tests = set(TEST.findall(text_of(root, "tests")))
+    checks = set(TEST.findall(text_of(root, "tests"))) | set(CHECK.findall(text_of(root, "verification/checks")))
     for number, _, title, function in rows:
         where = f"Eq. ({number}), {title}"
         documented = [name for equation, name in functions if equation == number]
@@ -56,8 +57,8 @@ def check(root):
             findings.append(f"{where}: {function!r} has no body in cuda/")
         if f"Eq. ({number})" not in oracles:
             findings.append(f"{where}: no oracle in analytic/ says Eq. ({number})")
-        if (number if number == "EOS" else f"{int(number):02}") not in tests:
-            findings.append(f"{where}: no test case eq{number:>02}_... in tests/")
+        if (number if number == "EOS" else f"{int(number):02}") not in checks:
+            findings.append(f"{where}: no check eq{number:>02}_... in verification/checks/ or tests/")
     return findings
 
 
@@ -68,7 +69,8 @@ FAULTS = [
     ("cuda/growth.hpp", "/// Eq. (21)", "/// Equation 21", "in cuda/"),
     ("cuda/blood_flow.hpp", "viscosity_force", "viscous_force", "in cuda/"),
     ("analytic", "Eq. (26)", "the outlet's pressure", "Eq. (26)"),
-    ("tests", "(eq23_", "(thinning_", "Eq. (23)"),
+    ("verification/checks", '"eq24_', '"murray_', "Eq. (24)"),
+    (".", "eq23_", "thinning_", "Eq. (23)"),
     ("common/equations.hpp", '{"EOS", ', '{"29", ', "EOS"),
 ]
 

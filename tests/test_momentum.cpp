@@ -98,38 +98,6 @@ BOOST_AUTO_TEST_CASE(eq15_shear_wave_decays_by_its_rate)
     BOOST_TEST(!holds([](double, const Vec3& force) { return force; })); // not divided by the density
 }
 
-BOOST_AUTO_TEST_CASE(eq15_gravity_alone_is_free_fall)
-{
-    const auto holds = [](auto acceleration) {
-        const Vec3 a = acceleration(1043.7, reference::momentum_force(1043.7, to_vec3(g), {}, {}));
-        // a product and a quotient
-        return distance(a, to_vec3(g)) <= rounding(2) * 9.81;
-    };
-    BOOST_TEST(holds(reference::acceleration));
-    BOOST_TEST(!holds(off_by(fault, reference::acceleration)));
-}
-
-BOOST_AUTO_TEST_CASE(eqEOS_is_the_integral_of_the_squared_sound_speed)
-{
-    const auto holds = [](auto equation_of_state) {
-        for (const double kappa : {1.0, 250.0}) {
-            for (const double rho : {700.0, 1049.0, 1050.0, 1093.5}) {
-                const auto expected = analytic::pressure_of_sound_speed(kappa, rho, 1050);
-                // a difference and a product; these densities' difference is exact
-                if (!within(equation_of_state(kappa, rho, 1050), expected, rounding(4))) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    };
-    BOOST_TEST(holds(reference::equation_of_state));
-    BOOST_TEST(!holds(off_by(fault, reference::equation_of_state)));
-    BOOST_TEST(!holds([](double kappa, double rho, double rho_0) { // a rest density off by an ulp or so
-        return reference::equation_of_state(kappa, rho, rho_0 * (1 + 1e-15));
-    }));
-}
-
 namespace
 {
 

@@ -1,22 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "common/equations.hpp"
 #include "verification/checks/checks.hpp"
 
+#include <algorithm>
 #include <iterator>
 
 namespace aneurysm::verification
 {
+namespace
+{
+
+/// Place of a check's first equation in the paper; behind all others if it has none.
+std::ptrdiff_t place_in_paper(const Check& check)
+{
+    return std::ranges::find_if(equations,
+                                [&](const Equation& equation) {
+                                    return !check.equations.empty() && equation.id == check.equations.front();
+                                }) -
+           equations.begin();
+}
+
+} // namespace
 
 const std::vector<Check>& all_checks()
 {
     static const std::vector<Check> checks = [] {
         std::vector<Check> all;
-        for (const auto& of_subject :
-             {oracle_flow_checks, oracle_duct_checks, oracle_row_checks, rupture_checks, operator_checks,
-              momentum_checks, pressure_solve_checks, box_flow_checks, duct_checks, hydrostatics_checks,
-              wall_history_checks, metamorphic_checks, executor_checks}) {
+        for (const auto& of_subject : {
+                 kernel_function_checks,
+                 fluid_checks,
+                 wall_law_checks,
+                 rupture_checks,
+                 growth_checks,
+                 thinning_checks,
+                 bifurcation_checks,
+                 inlet_checks,
+                 outlet_checks,
+                 elastic_wall_checks,
+                 collision_checks,
+                 oracle_flow_checks,
+                 oracle_duct_checks,
+                 oracle_row_checks,
+                 operator_checks,
+                 momentum_checks,
+                 pressure_solve_checks,
+                 box_flow_checks,
+                 duct_checks,
+                 hydrostatics_checks,
+                 wall_history_checks,
+                 metamorphic_checks,
+                 executor_checks,
+             }) {
             std::vector<Check> more = of_subject();
             all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
         }
+        std::ranges::stable_sort(all, [](const Check& a, const Check& b) {
+            return a.level != b.level ? a.level < b.level : place_in_paper(a) < place_in_paper(b);
+        });
         return all;
     }();
     return checks;

@@ -6,21 +6,13 @@
 #include "analytic/blood_flow.hpp"
 #include "analytic/pair_sums.hpp"
 #include "verification/check.hpp"
+#include "verification/checks/vectors.hpp"
 
 #include <array>
 #include <vector>
 
 namespace aneurysm::verification
 {
-
-inline Vec3 to_vec3(const Eigen::Vector3d& v)
-{
-    return {v.x(), v.y(), v.z()};
-}
-inline Eigen::Vector3d to_eigen(const Vec3& v)
-{
-    return {v.x, v.y, v.z};
-}
 
 /// Waves along each edge of the box.
 using Mode = std::array<int, 3>;

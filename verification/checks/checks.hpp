@@ -13,7 +13,17 @@ std::vector<Check> oracle_duct_checks();
 std::vector<Check> oracle_row_checks();
 
 // L0
+std::vector<Check> bifurcation_checks();
+std::vector<Check> collision_checks();
+std::vector<Check> elastic_wall_checks();
+std::vector<Check> fluid_checks();
+std::vector<Check> growth_checks();
+std::vector<Check> inlet_checks();
+std::vector<Check> kernel_function_checks();
+std::vector<Check> outlet_checks();
 std::vector<Check> rupture_checks();
+std::vector<Check> thinning_checks();
+std::vector<Check> wall_law_checks();
 // L1
 std::vector<Check> operator_checks();
 std::vector<Check> momentum_checks();
