@@ -130,11 +130,6 @@ Estimate outlet_force_continuum(KernelName name, double h, double p, double z)
     return {p * sum.value, p * sum.error};
 }
 
-double channel_velocity(double G, double mu, double H, double y)
-{
-    return G * y * (H - y) / (2 * mu);
-}
-
 double started_flow(double U, double nu, double t, double y)
 {
     return U * gsl_sf_erf(y / (2 * std::sqrt(nu * t)));

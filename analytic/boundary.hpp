@@ -36,10 +36,6 @@ Estimate outlet_force(KernelName name, double h, double dx, double p, double z);
 /// quadrature. Over all z > 0 it amounts to p/2: the other half of p acts inside the ghosts.
 Estimate outlet_force_continuum(KernelName name, double h, double p, double z);
 
-/// Eq. (27)  Velocity at y of Poiseuille flow between plates at 0 and H: G y (H - y)/(2 mu); 0 on the walls
-/// [m/s].
-double channel_velocity(double G, double mu, double H, double y);
-
 /// Eq. (27)  Velocity at the distance y from a wall at rest, t after the fluid was set in motion with U
 /// (Stokes' first problem): U erf(y/(2 sqrt(nu t))) [m/s].
 double started_flow(double U, double nu, double t, double y);

@@ -115,8 +115,8 @@ Estimate euler_thinning_error(double R_0, double sigma, double D, int n)
     const double s = sigma;
     const double first = -D / 2 * s * (1 + s) * A(1);
     const double second = -D * D * A(2) * (s / 12 + s * s / 4 + s * s * s / 6);
-    const double third = D * D * D * A(3) * (s * s / 12 + s * s * s / 6 + s * s * s * s / 12);
-    return {std::expm1(first + second), third / (1 - D / R_0)};
+    const double third = -D * D * D * A(3) * (s * s / 12 + s * s * s / 6 + s * s * s * s / 12);
+    return {std::expm1(first + second + third), std::abs(third) * D / (R_0 - D)};
 }
 
 Estimate thickness_developed_after_steps(double h_0, double alpha, double D, int n)
@@ -129,7 +129,9 @@ Estimate thickness_developed_after_steps(double h_0, double alpha, double D, int
 Estimate exponential_thinning_error(double alpha, double D, int n)
 {
     const double x = alpha * D;
-    return {std::expm1(-n * x * x / 2), n * x * x * x / (3 * (1 - x))};
+    const double cubic = n * x * x * x / 3;
+    const double half_of_rest = cubic * x / (2 * (1 - x));
+    return {std::expm1(-n * x * x / 2 - cubic - half_of_rest), half_of_rest};
 }
 
 } // namespace aneurysm::analytic

@@ -58,17 +58,19 @@ Estimate thickness_after_steps(double h_0, double R_0, double sigma, double D, i
 /// Eq. (22)  Relative error of those steps against the power law of (9), by Euler-Maclaurin: with
 /// A_p = 1/R_0^p - 1/R_n^p,
 ///
-///     ln(h_n/h) = -D/2 sigma (1 + sigma) A_1 - D^2 A_2 (sigma/12 + sigma^2/4 + sigma^3/6) + O(D^3)
+///     ln(h_n/h) = -D/2 sigma (1 + sigma) A_1 - D^2 A_2 (sigma/12 + sigma^2/4 + sigma^3/6)
+///                 - D^3 A_3 (sigma^2/12 + sigma^3/6 + sigma^4/12) + O(D^4)
 ///
-/// The error is the third-order terms, D^3 A_3 (sigma^2/12 + sigma^3/6 + sigma^4/12), times 1/(1 - D/R_0):
-/// the further orders fall at least like a geometric series in D/R_0.
+/// The error is the third-order term times x/(1 - x), x = D/R_0: the further orders fall at least like a
+/// geometric series in x.
 Estimate euler_thinning_error(double R_0, double sigma, double D, int n);
 
 /// Eq. (23)  n equal steps: h_0 (1 - alpha D)^n as exp(n log1p(-alpha D)) [m].
 Estimate thickness_developed_after_steps(double h_0, double alpha, double D, int n);
 
-/// Eq. (23)  Relative distance of those steps from their limit h_0 exp(-alpha n D): expm1(-n alpha^2 D^2/2),
-/// error n (alpha D)^3/(3 (1 - alpha D)).
+/// Eq. (23)  Relative distance of those steps from their limit h_0 exp(-alpha n D): expm1(-n (x^2/2 + r)), x
+/// = alpha D, where r = x^3/3 + x^4/4 + ... lies between x^3/3 and x^3/(3 (1 - x)); the middle of that, and
+/// half of it as the error.
 Estimate exponential_thinning_error(double alpha, double D, int n);
 
 } // namespace aneurysm::analytic

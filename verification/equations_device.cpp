@@ -7,6 +7,9 @@
 #include "cuda/rupture.hpp"
 #include "verification/equations.hpp"
 
+#include <bit>
+#include <vector>
+
 namespace aneurysm::verification
 {
 namespace
@@ -106,17 +109,23 @@ public:
     {
         return device::impulse_force(m, v, dt);
     }
-    /// Particle by particle, and the hardest found as a reduction does.
+    /// Particle by particle; the hardest is found pair by pair, as a reduction over threads does, which are
+    /// filled up with nobody's hits.
     Hit impact_force(std::span<const std::int64_t> S, double m, std::span<const double> density,
                      std::span<const Vec3> force) const override
     {
-        device::Impact hardest;
-        for (const std::int64_t i : S) {
-            const auto k = static_cast<std::size_t>(i);
+        std::vector<device::Impact> hits(std::bit_ceil(S.size()));
+        for (std::size_t i = 0; i < S.size(); ++i) {
+            const auto k = static_cast<std::size_t>(S[i]);
             const double F = device::impact_force(m, density[k], force[k]);
-            hardest += {F, F, static_cast<Index>(i), 1};
+            hits[i] = {F, F, static_cast<Index>(S[i]), 1};
         }
-        return {hardest.force, hardest.particle};
+        for (std::size_t half = hits.size() / 2; half > 0; half /= 2) {
+            for (std::size_t i = 0; i < half; ++i) {
+                hits[i] += hits[i + half];
+            }
+        }
+        return {hits[0].force, hits[0].particle};
     }
     bool ruptures(double F_b, double area, double P_c) const override
     {

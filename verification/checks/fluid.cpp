@@ -94,7 +94,8 @@ void eq15_acceleration(Probe& probe)
         compare(along, probe.equations().acceleration(flow.rho, to_vec3(terms.force)), expected,
                 rounding(3) * magnitude(expected), where);
     });
-    Quantity& newton = probe.quantity("rho a = F, 50 digits [1]", Source::rounding, "gamma_1: a quotient");
+    Quantity& newton =
+        probe.quantity("rho a = F, 50 digits [1]", Source::rounding, "gamma_1: a quotient, rounded once");
     Arguments a(15);
     for (int n = 0; n < 200; ++n) {
         const double rho = a.between(300, 3000);

@@ -134,8 +134,8 @@ void eq19_fibres(Probe& probe)
 
 void eq20_strain(Probe& probe)
 {
-    Quantity& relation =
-        probe.quantity("epsilon R = dR, 50 digits [1]", Source::rounding, "gamma_1: a quotient");
+    Quantity& relation = probe.quantity("epsilon R = dR, 50 digits [1]", Source::rounding,
+                                        "gamma_1: a quotient, rounded once");
     Quantity& circumference =
         probe.quantity("epsilon against the circumference's strain [1]", Source::quadrature,
                        "GSL's estimate and 20 u of the value; gamma_1 epsilon");
@@ -205,10 +205,11 @@ void eq21_repeated(Probe& probe)
         "R after n steps against the flow by Lambert's W [m]", Source::truncation,
         "the next term of backward error analysis, (max |f'| |ln f_n/f_0| + |f'_n - f'_0|)/12 steps; GSL's "
         "bound of W; n gamma_2 R^2/R_0 for n steps' rounding, which grows by R/R_0 at most");
-    Quantity& no_limit = probe.quantity(
-        "growth over a fixed time in short steps over t F dt/m [1]", Source::truncation,
-        "two-sided: 1 - x, x = impedance dt/m, for damping: it falls with dt, for a step remembers no "
-        "velocity; x^2 and the fibres' stiffness dt^2/(m R), the next terms; n u R of n steps' rounding");
+    Quantity& no_limit =
+        probe.quantity("growth over a fixed time in short steps over t F dt/m [1]", Source::truncation,
+                       "two-sided: 1/(1 + x) for damping, x = impedance dt/m, which falls with dt, for a "
+                       "step remembers no velocity; less what the fibres take, up to s = stiffness dt^2/(m "
+                       "R), half of it; n u R of n steps' rounding");
     const auto grow = [&](double F, double dt, int n) {
         double R = 0.3;
         for (int k = 0; k < n; ++k) {
@@ -228,9 +229,9 @@ void eq21_repeated(Probe& probe)
         const double unhindered = 0.01 * dt / balanced.m;
         const analytic::Resistance resistance = Step{balanced, 1, 0.3, dt, {}}.resistance();
         const double x = resistance.impedance * dt / balanced.m;
-        const double next = x * x + resistance.stiffness * dt * dt / (balanced.m * 0.3);
-        no_limit.within((grow(1, dt, n) - 0.3) / unhindered, 1 - x, next + n * rounding(1) * 0.3 / unhindered,
-                        at({{"n", double(n)}}));
+        const double half = resistance.stiffness * dt * dt / (balanced.m * 0.3) / 2;
+        no_limit.within((grow(1, dt, n) - 0.3) / unhindered, 1 / (1 + x) - half,
+                        half + n * rounding(1) * 0.3 / unhindered, at({{"n", double(n)}}));
     }
 }
 

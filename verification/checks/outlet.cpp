@@ -2,6 +2,7 @@
 // Section 3.5: the pressure of the outlets (26), and the wall's velocity (27).
 #include "analytic/boundary.hpp"
 #include "analytic/kernel_function.hpp"
+#include "analytic/laminar_flow.hpp"
 #include "analytic/relations.hpp"
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
@@ -114,11 +115,13 @@ void eq26_oracles(Probe& probe)
 void eq27_no_slip(Probe& probe)
 {
     Quantity& rest = probe.quantity("v_wall against viscous flows at their walls [m/s]", Source::exact,
-                                    "0: y (H - y) at y = 0 and H, and erf(0)");
+                                    "0: a difference of equal numbers, a^2 - r^2 at r = a, and erf(0)");
     const Vec3 v = probe.equations().wall_velocity();
-    const double H = 0.6;
-    for (const double y : {0.0, H}) {
-        rest.within(v.x, analytic::channel_velocity(1e3, 3.5e-3, H, y), 0, "Poiseuille, " + at({{"y", y}}));
+    const double a = 0.3;
+    for (const auto section : {analytic::Section::channel, analytic::Section::pipe}) {
+        const Estimate u = analytic::developed_velocity({section, a, 3.3e-6}, {1.7, 0}, a, 0);
+        rest.within(v, {u.value, 0, 0}, 0,
+                    section == analytic::Section::pipe ? "Poiseuille, pipe" : "Poiseuille, channel");
     }
     for (const double t : {0.02, 7.0}) {
         rest.within(v, {analytic::started_flow(0.3, 3.3e-6, t, 0), 0, 0}, 0,

@@ -153,8 +153,8 @@ void eq16_special_hits(Probe& probe)
 {
     Quantity& who =
         probe.quantity("particle that made it", Source::exact, "none: equal forces are computed alike");
-    Quantity& force =
-        probe.quantity("F_b of nobody, and that it shows what is no number", Source::exact, "none");
+    Quantity& force = probe.quantity("F_b of nobody, and that it shows what is no number", Source::exact,
+                                     "none: nobody's force is 0 by definition, and a NaN stays one");
     Arguments a(161);
     Impacts impacts(a, 9);
     impacts.S = {1, 3, 4, 6, 7};
@@ -162,6 +162,12 @@ void eq16_special_hits(Probe& probe)
     impacts.force[6] = impacts.force[4];
     impacts.density[6] = impacts.density[4];
     who.equal(impacts.by(probe.equations()).particle, 4, "two equal hits: the lower particle");
+    Impacts others = impacts;
+    others.force[3] = {9e4, -8e4, 6e4};
+    others.force[7] = others.force[3];
+    others.density[7] = others.density[3];
+    who.equal(others.by(probe.equations()).particle, 3,
+              "two others, which a reduction may meet in any order");
     impacts.force[0] = {1e9, 0, 0};
     who.equal(impacts.by(probe.equations()).particle, 4, "a harder one that is not in S");
     for (const std::int64_t place : {1, 4, 7}) { // the first, in the middle, the last

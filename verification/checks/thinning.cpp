@@ -62,11 +62,11 @@ void eq22_product(Probe& probe)
                        "gamma_5: a step rounds twice on h and four times on a change below h/n");
     Quantity& power_law =
         probe.quantity("h over the power law of (9), less 1 [1]", Source::truncation,
-                       "two-sided: Euler-Maclaurin to the second order, its third order over 1 - D/R_0 as "
-                       "the bound; n gamma_2 of the steps, gamma_10 of the power law");
+                       "two-sided: Euler-Maclaurin to the third order, of which x/(1 - x) bounds the rest, x "
+                       "= D/R_0; n gamma_2 of the steps, gamma_10 of the power law");
     Quantity& oracles = probe.quantity(
         "Pochhammer's symbols over the power law, less 1 [1]", Source::truncation,
-        "GSL's bound; third order of Euler-Maclaurin over 1 - D/R_0; gamma_10 of the power law");
+        "GSL's bound; x/(1 - x) of Euler-Maclaurin's third order, x = D/R_0; gamma_10 of the power law");
     for (const double sigma : {0.2, 0.43, 0.9}) {
         for (const int n : {10, 40, 160, 640}) {
             const std::string where = at({{"sigma", sigma}, {"n", double(n)}});
@@ -130,12 +130,14 @@ void eq23_product(Probe& probe)
     Quantity& power = probe.quantity(
         "h after n steps against the power [m]", Source::rounding,
         "4 u of the exponent n ln(1 - alpha D) and 2 u of the exponential; n gamma_3 of the steps");
-    Quantity& exponential = probe.quantity("h over h_0 exp(-alpha n D), less 1 [1]", Source::truncation,
-                                           "two-sided: expm1(-n x^2/2), x = alpha D, next term n x^3/(3 (1 - "
-                                           "x)); n gamma_3 of the steps, gamma_6 of the exponential");
+    Quantity& exponential =
+        probe.quantity("h over h_0 exp(-alpha n D), less 1 [1]", Source::truncation,
+                       "two-sided: expm1(-n (x^2/2 + r)), x = alpha D, where r lies between x^3/3 and x^3/(3 "
+                       "(1 - x)): half of that; n gamma_3 of the steps, gamma_6 of the exponential");
     Quantity& oracles =
         probe.quantity("power over h_0 exp(-alpha n D), less 1 [1]", Source::truncation,
-                       "next term n x^3/(3 (1 - x)); the power's own bound, gamma_6 of the exponential");
+                       "n times half of the range of r, which lies between x^3/3 and x^3/(3 (1 - x)), x = "
+                       "alpha D; the power's own bound, gamma_6 of the exponential");
     for (const double alpha : {1.1, 0.7}) {
         for (const int n : {1, 100, 1000, 4000}) {
             const std::string where = at({{"alpha", alpha}, {"n", double(n)}});
