@@ -5,6 +5,8 @@
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
 
+#include <cmath>
+
 namespace aneurysm::verification
 {
 namespace

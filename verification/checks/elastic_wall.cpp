@@ -5,7 +5,7 @@
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
 
-#include <array>
+#include <cmath>
 #include <numbers>
 
 namespace aneurysm::verification
@@ -165,10 +165,15 @@ void eq28_oracles(Probe& probe)
                                         Source::quadrature,
                                         "GSL's estimate and 16 u of the integral; gamma_8 (1 + wt) for the "
                                         "angle in each of its and the closed form's sines");
-    Quantity& limit =
-        probe.quantity("closed form of the steps against that of the motion, over A [1]", Source::truncation,
-                       "A w dt/2 (1 + u of the start) of the lead, n (w dt)^3/24 of the phase, each doubled "
-                       "for the rest of the series");
+    Quantity& kept =
+        probe.quantity("invariant of the closed form's steps over its start [1]", Source::rounding,
+                       "2 v times the error of both displacements over dt, and w^2 times that of one twice u "
+                       "and dt v, of the start");
+    Quantity& limit = probe.quantity(
+        "closed form of the steps less that of the motion, over the swing [1]", Source::truncation,
+        "two-sided: the first step moves by dt^2 a, not half of it, as if v_0 were larger by dt a/2; (w "
+        "dt)^2/12 (1 + wt) for the frequency, which is high by w (w dt)^2/24, and the amplitude, doubled for "
+        "the rest of the series");
     const double w = wall.frequency();
     for (const double t : {0.013, 0.71, 2.9}) {
         for (const double O : {0.0, w, w / 5}) {
@@ -183,12 +188,30 @@ void eq28_oracles(Probe& probe)
                             pushed.error / A + 2 * rounding(8) * (1 + w * t), at({{"t", t}, {"O/w", O / w}}));
         }
     }
-    for (const int n : {100, 1000}) {
-        const double dt = 0.3 / n;
-        const double A = largest(1.3, 0);
-        const double wdt = w * dt;
-        limit.within(analytic::displacement_after_steps(wall, 1.3, 0, 1, dt, n).value / A,
-                     analytic::displacement(wall, 1.3, n * dt) / A, 2 * (wdt / 2 + n * std::pow(wdt, 3) / 24),
+    for (const int n : {7, 400, 9000}) {
+        const double dt = 1e-3;
+        const double F = 1.3;
+        const Estimate before = analytic::displacement_after_steps(wall, F, 0, 1, dt, n - 1);
+        const Estimate u = analytic::displacement_after_steps(wall, F, 0, 1, dt, n);
+        const double v = (u.value - before.value) / dt;
+        const double start = analytic::step_invariant(wall, F, dt, wall.u_0, wall.v_0);
+        const double of_v = (u.error + before.error) / dt + rounding(2) * std::abs(v);
+        const double size = std::abs(u.value - F / wall.k) + dt * std::abs(v);
+        const double allowed =
+            2 * (std::abs(v) * of_v + w * w * size * (u.error + dt * of_v)) + rounding(8) * start;
+        kept.within(analytic::step_invariant(wall, F, dt, u.value, v) / start, 1, allowed / start,
+                    at({{"n", double(n)}}));
+    }
+    for (const int n : {1000, 10'000}) {
+        const double F = 1.3;
+        const double t = 0.3;
+        const double dt = t / n;
+        const double offset = wall.u_0 - F / wall.k;
+        const double swing = std::hypot(offset, wall.v_0 / w);
+        const double lead = -dt / 2 * w * offset * std::sin(w * t);
+        const double difference = analytic::displacement_after_steps(wall, F, 0, 1, dt, n).value -
+                                  analytic::displacement(wall, F, t);
+        limit.within(difference / swing, lead / swing, std::pow(w * dt, 2) / 12 * (1 + w * t),
                      at({{"n", double(n)}}));
     }
 }

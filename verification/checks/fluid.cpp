@@ -9,6 +9,10 @@
 #include "verification/checks/checks.hpp"
 #include "verification/checks/kernel_rounding.hpp"
 
+#include <array>
+#include <cmath>
+#include <vector>
+
 namespace aneurysm::verification
 {
 namespace

@@ -5,7 +5,7 @@
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
 
-#include <array>
+#include <vector>
 
 namespace aneurysm::verification
 {

@@ -7,8 +7,10 @@
 #include "verification/checks/checks.hpp"
 #include "verification/checks/kernel_rounding.hpp"
 
+#include <algorithm>
 #include <array>
-#include <numbers>
+#include <cmath>
+#include <vector>
 
 namespace aneurysm::verification
 {
@@ -16,7 +18,6 @@ namespace
 {
 
 using analytic::Estimate;
-using std::numbers::pi;
 
 /// The text that a quantity's bound is explained with where W is compared.
 constexpr const char* of_value =

@@ -8,6 +8,9 @@
 #include "verification/checks/checks.hpp"
 #include "verification/checks/kernel_rounding.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace aneurysm::verification
 {
 namespace

@@ -5,7 +5,10 @@
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 namespace aneurysm::verification
 {

@@ -6,6 +6,9 @@
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace aneurysm::verification
 {
 namespace
