@@ -6,6 +6,7 @@
 #include "verification/checks/checks.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace aneurysm::verification
 {
@@ -13,6 +14,7 @@ namespace
 {
 
 using analytic::Estimate;
+using std::numbers::pi;
 
 void eq24_murray(Probe& probe)
 {
@@ -52,11 +54,21 @@ void eq24_oracles(Probe& probe)
     Quantity& branches =
         probe.quantity("n equal branches against the cheapest vessels for 1/n of the flow [m]",
                        Source::solver, "both roots' brackets; gamma_8 of the power");
+    Quantity& shear =
+        probe.quantity("wall's shear stress in the cheapest vessel over sqrt(b mu) [1]", Source::solver,
+                       "3 times the radius' relative error; gamma_10 of the ratio");
+    Quantity& cost = probe.quantity(
+        "least cost over 3/2 of the blood's own [1]", Source::rounding,
+        "gamma_20: 10 of the cost, 10 of the ratio; an error of the radius counts only squared");
     const analytic::VesselCost blood{3.5e-3, 800};
     const double Q = 2.4e-6;
     const Estimate at_Q = analytic::cheapest_radius(blood, Q);
     const Estimate found = analytic::cheapest_radius_by_search(blood, Q);
     search.within(found.value, at_Q.value, found.error + at_Q.error);
+    const double r = at_Q.value;
+    shear.within(4 * blood.mu * Q / (pi * r * r * r) / std::sqrt(blood.b * blood.mu), 1,
+                 3 * at_Q.error / r + rounding(10));
+    cost.within(analytic::vessel_cost(blood, Q, r) / (1.5 * blood.b * pi * r * r), 1, rounding(20));
     for (const int n : {2, 3, 5}) {
         const Estimate share = analytic::cheapest_radius(blood, Q / n);
         const double power = std::log(n) / std::log(at_Q.value / share.value);
@@ -80,7 +92,8 @@ std::vector<Check> bifurcation_checks()
         {.id = "eq24_oracles",
          .equations = {"24"},
          .title = "the cheapest radius is a minimum, and grows with the cube root of the flow",
-         .oracles = {"GSL root of the cost's derivative", "GSL search for the minimum", "power"},
+         .oracles = {"GSL root of the cost's derivative", "GSL search for the minimum",
+                     "shear stress sqrt(b mu), equal in all vessels", "power"},
          .scope = Scope::once,
          .run = eq24_oracles},
     };
