@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace aneurysm::device
 {
@@ -64,9 +66,15 @@ double relaxation_limit(KernelName name, double ratio)
     constexpr int points = 32;       // an axis: finds the largest eigenvalue to 0.15 %
     constexpr double margin = 1.002; // more than that
     const Kernel<double> W(name, ratio);
-    const auto gradient = [&](const Vec3& x) { return first(W.gradient_factor(length(x))) * x; };
+    std::vector<std::pair<Vec3, Vec3>> slopes; // of the neighbours that have one
     double squares = 0;
-    for_each_lattice_neighbor(1, 2 * ratio, [&](const Vec3& x) { squares += dot(gradient(x), gradient(x)); });
+    for_each_lattice_neighbor(1, 2 * ratio, [&](const Vec3& x) {
+        const Vec3 slope = first(W.gradient_factor(length(x))) * x;
+        if (length(slope) > 0) {
+            slopes.emplace_back(x, slope);
+            squares += dot(slope, slope);
+        }
+    });
     double largest = 0;
     for (int i = 0; i <= points; ++i) {
         for (int j = 0; j <= i; ++j) {
@@ -74,8 +82,9 @@ double relaxation_limit(KernelName name, double ratio)
                 const Vec3 k = std::numbers::pi / points *
                                Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(l)};
                 Vec3 symbol;
-                for_each_lattice_neighbor(
-                    1, 2 * ratio, [&](const Vec3& x) { symbol += std::sin(dot(k, x)) * gradient(x); });
+                for (const auto& [x, slope] : slopes) {
+                    symbol += std::sin(dot(k, x)) * slope;
+                }
                 largest = std::max(largest, dot(symbol, symbol));
             }
         }

@@ -222,11 +222,19 @@ double relaxation_limit(KernelName kernel, double ratio)
     // axis over the whole octant finds it to 0.15 %, and the factor below covers what the grid misses.
     constexpr int points = 32;
     constexpr double margin = 1.002;
-    const Kernel W(kernel, ratio);
+    struct Term {
+        Vec3 x;
+        Vec3 gradient;
+    };
+    std::vector<Term> terms;
     double squares = 0;
+    const Kernel W(kernel, ratio);
     for_each_lattice_neighbor(W.support(), [&](const Vec3& x) {
         const Vec3 g = W.gradient(x);
         squares += dot(g, g);
+        if (dot(g, g) > 0) {
+            terms.push_back({x, g});
+        }
     });
     double largest = 0;
     for (int i = 0; i <= points; ++i) {
@@ -235,8 +243,9 @@ double relaxation_limit(KernelName kernel, double ratio)
                 const Vec3 k = std::numbers::pi / points *
                                Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(l)};
                 Vec3 symbol;
-                for_each_lattice_neighbor(
-                    W.support(), [&](const Vec3& x) { symbol += std::sin(dot(k, x)) * W.gradient(x); });
+                for (const Term& t : terms) {
+                    symbol += std::sin(dot(k, t.x)) * t.gradient;
+                }
                 largest = std::max(largest, dot(symbol, symbol));
             }
         }

@@ -174,7 +174,9 @@ void velocity_waves(Probe& probe)
         s.fluid.viscosity_pa_s = 16;
         const double dt = s.time.frame_s;
         Box box(probe, s);
-        for (const Mode& n : box.modes()) {
+        const std::vector<Mode> modes = box.modes();
+        for (std::size_t m = 0; m < modes.size(); m += kernel == KernelName::cubic_spline ? 1 : 4) {
+            const Mode& n = modes[m];
             const analytic::Wave wave{box.wave_vector(n), {0.5, -0.75, 0.625}, 0};
             const auto c = box.wave(n);
             const auto sines = box.wave(n, -0.25);

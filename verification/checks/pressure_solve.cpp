@@ -66,7 +66,7 @@ struct Rounding {
 Rounding rounding_of(const Probe& probe, const Box& box, const analytic::Iteration& oracle,
                      const std::vector<Push>& pushes, double start)
 {
-    constexpr double N = 33; // neighbours
+    constexpr double N = 26; // neighbours with a slope, h/dx = 1
     const double rho_0 = box.medium().density;
     const double alpha = analytic::dfsph_factor(box.medium()).value;
     const double dt = box.scenario().time.frame_s;
@@ -89,7 +89,7 @@ Rounding rounding_of(const Probe& probe, const Box& box, const analytic::Iterati
     return by;
 }
 
-constexpr const char* pressure_bound = "an iteration rounds two sums over N = 33 neighbours of terms up to 2 "
+constexpr const char* pressure_bound = "an iteration rounds two sums over N = 26 neighbours of terms up to 2 "
                                        "p, p <= 1.5 times the start: omega N gamma_2(N + 40) "
                                        "2 p, and the residual m v.G; error_gain says what that becomes under "
                                        "g(k) and theta, and no particle has more than "
@@ -104,7 +104,11 @@ void compare_pressures(Probe& probe, Quantity& pressure, Quantity& decided, cons
     const double start = 2 * oracle.reach;
     push(box, pushes, start);
     const Rounding by = rounding_of(probe, box, oracle, pushes, start);
-    decided.holds(2 * by.mean < oracle.margin, where);
+    const bool is_decided = 2 * by.mean < oracle.margin;
+    if (!is_decided && probe.roundoff() > 1e-10) {
+        return; // single precision: rounding decides here
+    }
+    decided.holds(is_decided, where);
     const auto flow = probe.simulate(s, box.state());
     flow->advance();
     double allowed = by.most;
@@ -140,7 +144,9 @@ void each_wave(Probe& probe)
         s.pressure.max_iterations = 4;
         s.pressure.tolerance_per_s = 1e-300;
         const Box box(probe, s);
-        for (const Mode& n : box.modes()) {
+        const std::vector<Mode> modes = box.modes();
+        for (std::size_t m = 0; m < modes.size(); m += kernel == KernelName::cubic_spline ? 1 : 4) {
+            const Mode& n = modes[m];
             if (swings(box, n)) {
                 compare_pressures(probe, pressure, decided, s, {{n, {0.25, -0.125, 0.375}}},
                                   "wave " + std::to_string(n[0]) + " " + std::to_string(n[1]) + " " +
@@ -168,6 +174,9 @@ void two_waves(Probe& probe)
         restarts.holds(expected(box, pushes, n).restarts > 0);
         compare_pressures(probe, pressure, decided, s, pushes, std::to_string(n) + " iterations");
     }
+    if (pressure.compared() == 0) {
+        probe.not_run("in single precision rounding decides when these waves restart");
+    }
 }
 
 /// Tolerances half-way between what two iterations leave: the solve stops after the second.
@@ -176,10 +185,11 @@ void iteration_count(Probe& probe)
     Quantity& count = probe.quantity("iterations", Source::exact,
                                      "the tolerance is the geometric mean of two residuals that differ by "
                                      "more than a tenth: far from rounding");
-    Quantity& residual = probe.quantity("mean residual where it stops [1/s]", Source::rounding,
-                                        "2 sqrt(particles) times the rounding of the pressures after the "
-                                        "iterations, as the iteration turns pressure "
-                                        "into residual: divided by omega rho_0^2 alpha/dt");
+    Quantity& residual = probe.quantity(
+        "mean residual where it stops [1/s]", Source::rounding,
+        "a mean is at most the quadratic mean: twice that of the pressures' rounding after the iterations, "
+        "since an iteration "
+        "changes no wave by more than that, + the last evaluation's own, over omega rho_0^2 alpha/dt");
     const Scenario s = solve_scenario(KernelName::cubic_spline);
     const std::vector<Push> pushes{{{1, 0, 0}, {0.25, 0, 0}}};
     Box box(probe, s);
@@ -201,7 +211,7 @@ void iteration_count(Probe& probe)
         const double left = std::abs(oracle.residual[n][0].value);
         predicted.x.push_back(static_cast<double>(n));
         predicted.y.push_back(mean * left / box.medium().density);
-        const double noise = 2 * std::sqrt(static_cast<double>(box.size())) * by.most / per_residual;
+        const double noise = (2 * by.mean + by.once) / per_residual;
         if (left < 4 * noise) {
             break; // from here on rounding decides
         }
@@ -222,6 +232,9 @@ void iteration_count(Probe& probe)
     }
     plot.series = {predicted, found};
     probe.plot(std::move(plot));
+    if (count.compared() == 0) {
+        probe.not_run("in single precision rounding decides where this solve stops");
+    }
 }
 
 /// A relaxation above 4/3 of the inverse of the largest eigenvalue is refused, one below is not.
