@@ -200,8 +200,11 @@ def check_comparisons(directory):
         done = subprocess.run([program, *map(str, bits), "--frames", "2", "--report", report], capture_output=True)
         expect(done.returncode == code, f"exit code {code} expected: {done.returncode}, {done.stdout}")
         expect(json.loads(report.read_text())["passed"] == (code == 0), "the verdict expected in the report")
+    hashes.write_text(text.replace("scenario copy", "scenario other"))
+    refused(directory, bits, [hashes, "line 1", "another scenario (other)"])
     hashes.write_text(text.replace("scenario_hash ", "scenario_hash 0"))
-    refused(directory, bits, [hashes, "line 2", "another scenario"])
+    done = subprocess.run([program, *map(str, bits), "--frames", "2"], capture_output=True, text=True)
+    expect(done.returncode == 0 and "text has changed" in done.stdout, f"the same bits expected: {done.stdout}")
 
 
 def check_suite(directory):
@@ -223,6 +226,16 @@ def check_suite(directory):
     refused(directory, ["verify", *out, "--quick", "--full"], ["--quick", "--full"])
     if not pathlib.Path("/dev/nvidiactl").exists():
         refused(directory, ["verify", *out, "--backend", "cuda"], ["--backend", "cuda"])
+    baseline = ["verify", "--baseline", "--data", data]
+    refused(directory, ["verify", "--record"], ["--record", "--baseline"])
+    refused(directory, [*baseline], ["--out"])
+    refused(directory, [*baseline, *out, "--record"], ["--record", "--data"])
+    refused(directory, [*baseline, *out, "--full"], ["--baseline", "--full"])
+    refused(directory, [*baseline, *out, "--only", "quack"], ["--only", "quack", "quick, paper_tc1"])
+    refused(directory, ["verify", "--baseline", *out, "--data", directory], ["baseline.json", "No such file"])
+    for text in ("", "{}", '{"version": 1, "commit": "", "scenarios": []}'):
+        (directory / "baseline.json").write_text(text)
+        refused(directory, ["verify", "--baseline", *out, "--data", directory], ["baseline.json", "not as it was written"])
 
 
 for scenario in sorted((data / "scenarios").glob("*.json")):

@@ -23,7 +23,7 @@ int differing(const std::string& file, const std::string& precision, int threads
 {
     const Scenario scenario = read_scenario(file);
     const auto recorded = verification::read_hashes(verification::hash_file(file, scenario, precision),
-                                                    scenario_hash(scenario), precision);
+                                                    scenario.name, precision);
     device::Tuning tuning;
     tuning.threads = threads;
     const auto simulation = device::make_cpu_simulation(

@@ -115,12 +115,12 @@ void Comparison::find_oracles()
     const std::filesystem::path file = hash_file(options_.scenario, scenario_, candidate.precision);
     // The reference's bits are its own.
     if (candidate.name != "reference" && options_.record.empty() && std::filesystem::exists(file)) {
-        recorded_ = read_hashes(file, hash_, candidate.precision);
+        recorded_ = read_hashes(file, scenario_.name, candidate.precision);
     }
     if (candidate.name == "reference" && options_.record.empty()) {
         const std::filesystem::path own = hash_file(options_.scenario, scenario_, "reference");
         if (std::filesystem::exists(own)) {
-            recorded_ = read_hashes(own, hash_, candidate.precision);
+            recorded_ = read_hashes(own, scenario_.name, candidate.precision);
         }
     }
     require(!only_records() || !options_.record.empty(), "--mode bits", "there is nothing to compare with",
@@ -141,11 +141,15 @@ bool Comparison::advance_to_start(const AfterFrame& after_frame)
 
 ComparisonResult Comparison::bits(const AfterFrame& after_frame)
 {
-    RecordedHashes recording{hash_, options_.candidate.precision, {}};
+    RecordedHashes recording{scenario_.name, hash_, options_.candidate.precision, {}};
     ComparisonResult result =
         compare_bits(*candidate_, {twin_.get(), recorded_}, frames_, after_frame, &recording);
+    if (recorded_ && recorded_->scenario_hash != hash_) {
+        result.notes.push_back("the scenario's text has changed since its hashes were recorded (" +
+                               recorded_->scenario_hash + " then)");
+    }
     if (!options_.record.empty() && result.problems.empty() && !InterruptWatch::interrupted()) {
-        output::write_atomically(options_.record, to_csv(recording, scenario_.name));
+        output::write_atomically(options_.record, to_csv(recording));
         result.notes.push_back("hashes recorded in " + options_.record.string());
     }
     return result;

@@ -67,10 +67,10 @@ std::filesystem::path hash_file(const std::filesystem::path& scenario_file, cons
            (scenario.name + "." + precision + ".csv");
 }
 
-std::string to_csv(const RecordedHashes& hashes, const std::string& scenario_name)
+std::string to_csv(const RecordedHashes& hashes)
 {
     std::ostringstream text;
-    text << "# scenario " << scenario_name << "\n"
+    text << "# scenario " << hashes.scenario << "\n"
          << "# scenario_hash " << hashes.scenario_hash << "\n"
          << "# precision " << hashes.precision << "\n"
          << "# version " << output::build_info().version << "\n"
@@ -85,7 +85,7 @@ std::string to_csv(const RecordedHashes& hashes, const std::string& scenario_nam
     return text.str();
 }
 
-RecordedHashes read_hashes(const std::filesystem::path& file, const std::string& scenario_hash,
+RecordedHashes read_hashes(const std::filesystem::path& file, const std::string& scenario,
                            const std::string& precision)
 {
     const std::vector<std::byte> bytes = output::read_bytes(file);
@@ -100,9 +100,11 @@ RecordedHashes read_hashes(const std::filesystem::path& file, const std::string&
         std::string key;
         std::string value;
         words >> key >> value;
-        if (key == "scenario_hash") {
-            require(value == scenario_hash, file, number, "of another scenario (hash " + value + ")",
-                    "needed: " + scenario_hash + ", or record the hashes again");
+        if (key == "scenario") {
+            require(value == scenario, file, number, "of another scenario (" + value + ")",
+                    "needed: " + scenario);
+            result.scenario = value;
+        } else if (key == "scenario_hash") {
             result.scenario_hash = value;
         } else if (key == "precision") {
             require(value == precision, file, number, "of another precision (" + value + ")",
@@ -112,8 +114,8 @@ RecordedHashes read_hashes(const std::filesystem::path& file, const std::string&
     }
     ++number;
     const std::string as_written = "needed: the file as it was written";
-    require(!result.scenario_hash.empty() && !result.precision.empty(), file, number,
-            "no scenario_hash or precision above", as_written);
+    require(!result.scenario.empty() && !result.scenario_hash.empty() && !result.precision.empty(), file,
+            number, "no scenario, scenario_hash or precision above", as_written);
     require(line == header(), file, number, "other columns than this version hashes",
             "record the hashes again");
     while (std::getline(stream, line)) {

@@ -88,8 +88,7 @@ CLI::App* add_compare(CLI::App& app, CompareOptions& options)
 CLI::App* add_verify(CLI::App& app, VerifyOptions& options)
 {
     CLI::App* verify = app.add_subcommand("verify", "Check every equation, and write a report");
-    verify->add_option("--out", options.out, "directory for the reports; must not exist, or be empty")
-        ->required();
+    verify->add_option("--out", options.out, "directory for the reports; must not exist, or be empty");
     CLI::Option* quick = verify->add_flag("--quick", options.quick, "the checks that take seconds (default)");
     verify->add_flag("--full", options.full, "all checks, minutes")->excludes(quick);
     verify->add_option("--only", options.only, "words of checks, equations (13) and levels (L2), by commas")
@@ -100,9 +99,14 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& options)
         ->delimiter(',');
     verify->add_option("--jobs", options.jobs, "checks at once; 0: as many as there are cores")
         ->capture_default_str();
+    verify->add_flag("--baseline", options.baseline,
+                     "make the runs recorded in --data again instead; --only then names scenarios");
+    verify->add_flag("--record", options.record, "with --baseline: record them anew");
+    verify->add_option("--data", options.data, "folder of the baseline (default: the project's data/)");
     verify->footer(
         "Examples:\n"
         "  aneurysm verify --out results/verify\n"
+        "  aneurysm verify --baseline --out results/baseline\n"
         "  aneurysm verify --full --only eq13,L2 --backend cpu --precision float --out results/verify\n"
         "Exit codes: 0 all hold, 1 failed, 2 bad input, 3 something doesn't hold, 130 interrupted\n"
         "(the reports say what there was).");

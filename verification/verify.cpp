@@ -7,6 +7,7 @@
 #include "verification/interrupt.hpp"
 #include "verification/progress.hpp"
 #include "verification/suite_report.hpp"
+#include "verification/verify_baseline.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -19,25 +20,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-constexpr int failed = 3;
-constexpr int interrupted = 130;
-
-/// Found out before minutes of work.
-void make_directory(const fs::path& directory)
-{
-    std::error_code error;
-    const bool exists = fs::exists(directory, error);
-    if (exists && !(fs::is_directory(directory, error) && fs::is_empty(directory, error))) {
-        throw InputError(directory.string(), "output directory exists and isn't empty",
-                         "needed: another --out");
-    }
-    fs::create_directories(directory, error);
-    if (error) {
-        throw InputError(directory.string(), "output directory cannot be made (" + error.message() + ")",
-                         "needed: a writable place");
-    }
-}
 
 int threads_of(int jobs)
 {
@@ -99,14 +81,30 @@ void write(const fs::path& directory, const SuiteReport& report)
     output::write_atomically(directory / "report.html", suite_html(report));
 }
 
-} // namespace
+void check(const VerifyOptions& options)
+{
+    const auto refuse = [](bool bad, const char* option, const char* what, const char* advice) {
+        if (bad) {
+            throw InputError(option, what, advice);
+        }
+    };
+    refuse(options.out.empty() && !options.record, "--out", "no directory given for the reports",
+           "needed: --out DIR");
+    refuse(options.record && !options.baseline, "--record", "only a baseline is recorded",
+           "needed: --baseline, too");
+    refuse(options.record && !(options.out.empty() && options.only.empty() && options.backends.empty() &&
+                               options.precisions.empty()),
+           "--record", "the whole baseline is recorded, in data/", "allowed beside it: --data");
+    refuse(options.baseline && (options.quick || options.full), "--baseline", "compares runs, not checks",
+           "needed: no --quick or --full");
+}
 
-int verify(const VerifyOptions& options)
+int verify_suite(const VerifyOptions& options)
 {
     const int threads = threads_of(options.jobs);
     const std::vector<const Check*> checks = select(all_checks(), options.full, options.only);
     std::vector<SuiteSubject> subjects = make_subjects(options.backends, options.precisions);
-    make_directory(options.out);
+    make_report_directory(options.out);
 
     SuiteReport report;
     {
@@ -123,9 +121,35 @@ int verify(const VerifyOptions& options)
     std::cout << suite_text(report) << "Reports in " << options.out.string()
               << ": report.html, report.md, report.json, junit.xml" << std::endl;
     if (!report.suite.complete) {
-        return interrupted;
+        return exit_interrupted;
     }
-    return passed(report.suite) ? 0 : failed;
+    return passed(report.suite) ? 0 : exit_failed;
+}
+
+} // namespace
+
+void make_report_directory(const fs::path& directory)
+{
+    std::error_code error;
+    const bool exists = fs::exists(directory, error);
+    if (exists && !(fs::is_directory(directory, error) && fs::is_empty(directory, error))) {
+        throw InputError(directory.string(), "output directory exists and isn't empty",
+                         "needed: another --out");
+    }
+    fs::create_directories(directory, error);
+    if (error) {
+        throw InputError(directory.string(), "output directory cannot be made (" + error.message() + ")",
+                         "needed: a writable place");
+    }
+}
+
+int verify(const VerifyOptions& options)
+{
+    check(options);
+    if (options.baseline) {
+        return verify_baseline(options);
+    }
+    return verify_suite(options);
 }
 
 } // namespace aneurysm::verification

@@ -16,11 +16,22 @@ struct VerifyOptions {
     std::vector<std::string> backends;   ///< see make_subjects; empty: all
     std::vector<std::string> precisions; ///< of cpu and cuda; empty: both
     int jobs = 0;                        ///< checks at once; 0: as many as there are cores
+
+    bool baseline = false;      ///< instead: recorded runs; `only` names scenarios then
+    bool record = false;        ///< with `baseline`: write data/ anew
+    std::filesystem::path data; ///< where the baseline is; empty: data_directory
 };
 
-/// `aneurysm verify`: runs the suite, prints a summary, writes report.html, .json, .md and junit.xml.
-/// \return 0 when all that was run holds, 3 when not, 130 when interrupted
+/// `aneurysm verify`: runs the suite, prints a summary, writes report.html, .json, .md and junit.xml; or does
+/// what another of the options asks for.
+/// \return 0 when all that was run holds, exit_failed when not, exit_interrupted
 /// \throws InputError before anything is computed or written
 int verify(const VerifyOptions& options);
+
+inline constexpr int exit_failed = 3;
+inline constexpr int exit_interrupted = 130;
+
+/// Makes an --out, or takes an empty one. \throws InputError
+void make_report_directory(const std::filesystem::path& directory);
 
 } // namespace aneurysm::verification

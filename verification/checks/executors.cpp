@@ -115,7 +115,7 @@ void recorded(Probe& probe, const std::vector<Stretch>& stretches)
         const auto file =
             hash_file(data_directory() / "scenarios" / (stretch.scenario + ".json"), s, precision);
         BitsOracles oracles;
-        oracles.recorded = read_hashes(file, scenario_hash(s), precision);
+        oracles.recorded = read_hashes(file, s.name, precision);
         const auto candidate = probe.simulate(s);
         findings.add(compare_bits(*candidate, oracles, stretch.frames, go_on), stretch.scenario);
     }
