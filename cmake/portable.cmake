@@ -6,6 +6,11 @@ foreach(name sz aec z)
   find_library(ANEURYSM_LIB${name} lib${name}.a REQUIRED)
   list(APPEND static_libraries ${ANEURYSM_LIB${name}})
 endforeach()
+find_library(ANEURYSM_LIBGSL libgsl.a REQUIRED)
+find_library(ANEURYSM_LIBGSLCBLAS libgslcblas.a REQUIRED)
+set_target_properties(GSL::gsl PROPERTIES IMPORTED_LOCATION ${ANEURYSM_LIBGSL} IMPORTED_LOCATION_RELEASE ${ANEURYSM_LIBGSL})
+set_target_properties(GSL::gslcblas PROPERTIES IMPORTED_LOCATION ${ANEURYSM_LIBGSLCBLAS}
+                      IMPORTED_LOCATION_RELEASE ${ANEURYSM_LIBGSLCBLAS})
 set_property(TARGET hdf5::hdf5 PROPERTY INTERFACE_LINK_LIBRARIES ${static_libraries} m ${CMAKE_DL_LIBS})
 target_link_options(aneurysm PRIVATE -static-libstdc++ -static-libgcc)
 # Debian has Google Benchmark only as a shared library, which needs the C++ library's; it goes with its program.

@@ -5,6 +5,7 @@ usage: check_baseline.py PROGRAM DATA
 """
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -48,6 +49,17 @@ def change_scenario(**groups):
             scenario[group] = value
     file.write_text(json.dumps(scenario))
 
+
+version = subprocess.run([program, "--version"], capture_output=True, text=True).stdout.split()[-1]
+cited = (data / "../CITATION.cff").read_text()
+expect(f"\nversion: {version}\n" in cited, f"CITATION.cff: version {version} expected")
+shipped_baseline = json.loads((data / "baseline.json").read_text())
+expect(shipped_baseline["version"] == version, f"a baseline of {version} expected: {shipped_baseline['version']}")
+readme = (data / "../README.md").read_text()
+for s in shipped_baseline["scenarios"]:
+    for r in s["runs"]:
+        row = rf"\| `{s['name']}` \| [^|]*{r['recorded_as']}[^|]* \| {r['frames']} \| `{r['digest']}` \|"
+        expect(re.search(row, readme), f"README.md: a row {row} expected")
 
 with tempfile.TemporaryDirectory() as folder:
     scratch, copy = pathlib.Path(folder), pathlib.Path(folder) / "data"

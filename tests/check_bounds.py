@@ -18,7 +18,7 @@ COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/|("(?:\\.|[^"\\])*")', re.DOTALL)
 FORBIDDEN = [
     (re.compile(r"(?<![\w&*])Quantity\s+\w+\s*[({=]"), "a Quantity that is not the probe's"),
     (re.compile(r"(?<!\w)Quantity\s*[({]"), "a Quantity that is not the probe's"),
-    (re.compile(r":\s*(public|private|protected)?\s*Quantity\b"), "derives from Quantity"),
+    (re.compile(r"\b(struct|class)\s+\w+[^;{}]*:[^;{}]*\bQuantity\s*\{"), "derives from Quantity"),
     (re.compile(r"(?<![.\w])(allowed|bound|tolerance|tol|eps|epsilon|margin|limit)\w*\s*[={(]\s*[-+]?\d[\d.]*e-\d+"),
      "a bound that is picked"),
     (re.compile(r"\b(const_cast|reinterpret_cast|assert)\b|\bcatch\s*\((\.\.\.|const (std::exception|Error)\b)"),

@@ -36,14 +36,14 @@ def write_scenario(file, **changes):
     file.write_text(json.dumps(content))
 
 
-def start(*arguments, limit=None):
+def start(*arguments, limit=None, command="run"):
     def prepare():
         signal.signal(signal.SIGINT, signal.SIG_DFL)
         if limit:
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
 
-    return subprocess.Popen([program, "run", *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    return subprocess.Popen([program, command, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                             text=True, preexec_fn=prepare)
 
 
@@ -145,9 +145,26 @@ def check_blow_up():
     expect(record["message"] in err, f"the same end again expected: {err}")
 
 
+def check_suite():
+    directory = scratch / "suite"
+    process = start("--backend", "reference", "--jobs", 1, "--out", directory, command="verify")
+    time.sleep(2)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate()
+    expect(process.returncode == 130 and err == "", f"the suite: {process.returncode}: {err}")
+    expect(out.count("INCOMPLETE") == 1, f"an incomplete suite expected: {out}")
+    expect(len(list(directory.iterdir())) == 4, "four reports expected")
+    report = json.loads((directory / "report.json").read_text())
+    results = report["results"]
+    expect(not report["complete"] and not report["passed"], "an incomplete report expected")
+    expect(any(r["verdict"] == "holds" for r in results), "what was done expected")
+    expect(results[-1]["verdict"] == "not run" and results[-1]["message"] == "interrupted", "the rest not run expected")
+    expect("this report is incomplete" in (directory / "report.html").read_text(), "a page that says so expected")
+
+
 whole = scratch / "whole"
 write_scenario(scenario)
-for check in (check_whole, check_interrupted, check_killed, check_full_disk, check_blow_up):
+for check in (check_whole, check_interrupted, check_killed, check_full_disk, check_blow_up, check_suite):
     check()
 scratch_directory.cleanup()
 print("\n".join(failures) or "all checks passed")

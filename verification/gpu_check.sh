@@ -5,7 +5,7 @@
 #     verification/gpu_check.sh OUT [BUILD [PART...]]
 #
 # OUT: directory for the record, gpu_check.txt; BUILD: a build directory (default: build/release); PART: some of
-# bits lockstep resume free tools timing (default: all). Runs all checks, also after one has failed; the last lines of
+# suite bits lockstep resume free tools timing (default: all). Runs all checks, also after one has failed; the last lines of
 # the record say which did, and so does the exit code: 0 none, 1 some.
 set -u
 [ $# -ge 1 ] || {
@@ -20,7 +20,7 @@ if [ $# -gt 2 ]; then
     shift 2
     parts=" $* "
 else
-    parts=" bits lockstep resume free tools timing "
+    parts=" suite bits lockstep resume free tools timing "
 fi
 
 aneurysm=$build/verification/aneurysm
@@ -88,6 +88,11 @@ note git describe --always --dirty --abbrev=40 --exclude='*'
 note "$aneurysm" info
 note cuobjdump --dump-resource-usage "$aneurysm"
 
+if wanted suite; then
+    rm -rf "$out/suite"
+    check "suite" "$aneurysm" verify --full --backend cuda --out "$out/suite"
+    check "baseline" "$aneurysm" verify --baseline --backend cuda --out "$work/baseline"
+fi
 for precision in float double; do
     if wanted bits; then
         for block in 0 32 64 96 128 256; do
