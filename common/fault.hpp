@@ -4,6 +4,10 @@
 // its own argument: no instruction, the same bits.
 #pragma once
 
+#ifdef ANEURYSM_WITHOUT_FORMULAS
+#error "a source with formulas of a backend belongs to sources_with_formulas in verification/CMakeLists.txt"
+#endif
+
 #include "common/host_device.hpp"
 
 #include <cstdint>
@@ -12,19 +16,19 @@
 /// which backends have it (`optimised`: only that in cuda/), and what it is. A name starts with its equation,
 /// or with fig1 (collisions) or sec34 (the particle controller).
 #define ANEURYSM_FAULT_PLACES(PLACE)                                                                         \
-    PLACE(eq01_gravity, term, both, "rho g")                                                                 \
-    PLACE(eq01_viscosity, term, both, "F^viscosity")                                                         \
-    PLACE(eq01_pressure, term, both, "F^pressure")                                                           \
+    PLACE(eq01_gravity, vector, both, "rho g")                                                               \
+    PLACE(eq01_viscosity, vector, both, "F^viscosity")                                                       \
+    PLACE(eq01_pressure, vector, both, "F^pressure")                                                         \
     PLACE(eq02_term, term, both, "m_j (v_i - v_j) . grad W_ij")                                              \
-    PLACE(eq02_velocity, term, both, "v_i - v_j")                                                            \
+    PLACE(eq02_velocity, vector, both, "v_i - v_j")                                                          \
     PLACE(eq02_ghosts, term, optimised, "the ghosts' part")                                                  \
     PLACE(eq03_alpha_sum, term, both, "|sum_j m_j grad W_ij|^2 of the DFSPH factor")                         \
     PLACE(eq03_alpha_squares, term, both, "sum_j |m_j grad W_ij|^2 of the DFSPH factor")                     \
     PLACE(eq03_own, term, both, "p_i of the pressure's acceleration")                                        \
     PLACE(eq03_other, term, both, "p_j of the pressure's acceleration")                                      \
     PLACE(eq03_density, factor, both, "rho_0^2 of the pressure's acceleration")                              \
-    PLACE(eq03_ghosts, term, optimised, "the ghosts' part of the pressure's acceleration")                   \
-    PLACE(eq03_push, term, both, "dt a, the pressure's part of the velocity")                                \
+    PLACE(eq03_ghosts, vector, optimised, "the ghosts' part of the pressure's acceleration")                 \
+    PLACE(eq03_push, vector, both, "dt a, the pressure's part of the velocity")                              \
     PLACE(eq03_density_error, term, both, "beta (rho_i - rho_0) / dt of the residual")                       \
     PLACE(eq03_rate, term, both, "Drho/Dt of the residual")                                                  \
     PLACE(eq03_response, factor, both, "omega rho_0^2 alpha_i / dt, pressure for a residual")                \
@@ -57,12 +61,12 @@
     PLACE(eq06_other, term, both, "p_j")                                                                     \
     PLACE(eq06_mirror, factor, both, "p_i as the pressure of a ghost")                                       \
     PLACE(eq06_density, factor, both, "rho_j")                                                               \
-    PLACE(eq06_gradient, term, both, "grad W_ij")                                                            \
-    PLACE(eq06_ghosts, term, optimised, "the ghosts' part")                                                  \
+    PLACE(eq06_gradient, vector, both, "grad W_ij")                                                          \
+    PLACE(eq06_ghosts, vector, optimised, "the ghosts' part")                                                \
     PLACE(eq07_viscosity, factor, both, "mu")                                                                \
     PLACE(eq07_density, factor, both, "rho_j")                                                               \
-    PLACE(eq07_difference, term, both, "v_j - v_i")                                                          \
-    PLACE(eq07_ghosts, term, optimised, "v_j - v_i of ghosts")                                               \
+    PLACE(eq07_difference, vector, both, "v_j - v_i")                                                        \
+    PLACE(eq07_ghosts, vector, optimised, "v_j - v_i of ghosts")                                             \
     PLACE(eq07_norm, factor, both, "45/(pi H^6) of the viscosity kernel's Laplacian")                        \
     PLACE(eq07_distance, term, both, "H - r of the viscosity kernel's Laplacian")                            \
     PLACE(eq07_support, limit, both, "H, where the viscosity kernel ends")                                   \
@@ -84,15 +88,15 @@
     PLACE(eq13_porosity, factor, both, "phi")                                                                \
     PLACE(eq13_poisson, term, both, "sigma of 1 + sigma")                                                    \
     PLACE(eq14_mass, factor, both, "m")                                                                      \
-    PLACE(eq14_velocity, term, both, "v")                                                                    \
+    PLACE(eq14_velocity, vector, both, "v")                                                                  \
     PLACE(eq14_time, factor, both, "dt")                                                                     \
-    PLACE(eq15_force, term, both, "the force")                                                               \
+    PLACE(eq15_force, vector, both, "the force")                                                             \
     PLACE(eq15_density, factor, both, "rho_i")                                                               \
-    PLACE(eq15_change, term, both, "dt a, the change of velocity")                                           \
-    PLACE(eq15_way, term, both, "dt v, the change of place")                                                 \
+    PLACE(eq15_change, vector, both, "dt a, the change of velocity")                                         \
+    PLACE(eq15_way, vector, both, "dt v, the change of place")                                               \
     PLACE(eq16_mass, factor, both, "m")                                                                      \
     PLACE(eq16_density, factor, both, "rho_i")                                                               \
-    PLACE(eq16_pressure, term, both, "F^pressure of the solved pressure")                                    \
+    PLACE(eq16_pressure, vector, both, "F^pressure of the solved pressure")                                  \
     PLACE(eq16_harder, condition, both, "a force is larger than the largest so far")                         \
     PLACE(eq16_band, limit, both, "how far from the wall blood is in S")                                     \
     PLACE(eq16_of_sac, condition, both, "a place belongs to the sac, not to a tube")                         \
@@ -127,19 +131,19 @@
     PLACE(eq25_amplitude, factor, both, "v_0")                                                               \
     PLACE(eq25_phase, factor, both, "2 pi t / T")                                                            \
     PLACE(eq25_table, term, both, "the way from one row of the table to the next")                           \
-    PLACE(eq25_slab, term, both, "the velocity of the inlet's ghosts")                                       \
+    PLACE(eq25_slab, vector, both, "the velocity of the inlet's ghosts")                                     \
     PLACE(eq25_reach, limit, both, "how far before the inlet its slab pushes blood")                         \
-    PLACE(eq25_piston, term, both, "what blood before the inlet is sped up by")                              \
-    PLACE(eq25_plane, term, both, "the way back of blood behind the inlet")                                  \
+    PLACE(eq25_piston, vector, both, "what blood before the inlet is sped up by")                            \
+    PLACE(eq25_plane, vector, both, "the way back of blood behind the inlet")                                \
     PLACE(eq26_pressure, factor, both, "p_const")                                                            \
     PLACE(eq26_density, factor, both, "rho_0")                                                               \
-    PLACE(eq26_gradient, term, both, "m_j grad W_ij")                                                        \
+    PLACE(eq26_gradient, vector, both, "m_j grad W_ij")                                                      \
     PLACE(eq26_dynamic, term, both, "rho_0 v^2 / 2 of blood that comes back")                                \
     PLACE(eq26_comes_back, condition, both, "v < 0")                                                         \
     PLACE(eq26_slab_velocity, term, both, "the mean velocity of the blood before an outlet")                 \
     PLACE(eq26_slab_push, term, both, "dt (p - p_outlet) / (rho_0 D)")                                       \
     PLACE(eq26_slab_change, term, both, "the slab's change of velocity")                                     \
-    PLACE(eq26_plane, term, both, "the way back of blood behind an outlet that flows back")                  \
+    PLACE(eq26_plane, vector, both, "the way back of blood behind an outlet that flows back")                \
     PLACE(eq27_velocity, nought, both, "v_wall")                                                             \
     PLACE(eq27_mass, factor, both, "m of a ghost")                                                           \
     PLACE(eq28_velocity, term, both, "v")                                                                    \
@@ -148,10 +152,10 @@
     PLACE(eq28_mass, factor, both, "m_wall")                                                                 \
     PLACE(eq28_displacement, term, both, "u")                                                                \
     PLACE(eq28_way, term, both, "dt v'")                                                                     \
-    PLACE(fig1_depth, term, both, "the way back to the wall")                                                \
-    PLACE(fig1_reflection, term, both, "2 v.n n, which turns the normal velocity round")                     \
+    PLACE(fig1_depth, vector, both, "the way back to the wall")                                              \
+    PLACE(fig1_reflection, vector, both, "2 v.n n, which turns the normal velocity round")                   \
     PLACE(fig1_outwards, condition, both, "v.n > 0")                                                         \
-    PLACE(sec34_behind, term, both, "the place a whole slab behind a ghost")                                 \
+    PLACE(sec34_behind, vector, both, "the place a whole slab behind a ghost")                               \
     PLACE(sec34_entry, limit, both, "how near blood may be to a ghost that enters")
 
 namespace aneurysm

@@ -21,6 +21,7 @@ namespace aneurysm::faults
 /// What kind of part of a formula a place is; it decides which kinds of fault make sense there.
 enum class Part : std::uint8_t {
     term,      ///< of a sum; left out, it is 0
+    vector,    ///< a term with three components
     factor,    ///< of a product; left out, it is 1
     limit,     ///< that something is compared with
     condition, ///< left out, it holds always

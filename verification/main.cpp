@@ -103,10 +103,17 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& options)
                      "make the runs recorded in --data again instead; --only then names scenarios");
     verify->add_flag("--record", options.record, "with --baseline: record them anew");
     verify->add_option("--data", options.data, "folder of the baseline (default: the project's data/)");
+    CLI::Option* sensitivity =
+        verify->add_flag("--sensitivity", options.sensitivity,
+                         "plant faults in the equations instead, and show which check finds which");
+    verify->add_option("--faults", options.faults, "which: all; ci: 24 that take a minute")
+        ->needs(sensitivity)
+        ->capture_default_str();
     verify->footer(
         "Examples:\n"
         "  aneurysm verify --out results/verify\n"
         "  aneurysm verify --baseline --out results/baseline\n"
+        "  aneurysm verify --sensitivity --out results/sensitivity\n"
         "  aneurysm verify --full --only eq13,L2 --backend cpu --precision float --out results/verify\n"
         "Exit codes: 0 all hold, 1 failed, 2 bad input, 3 something doesn't hold, 130 interrupted\n"
         "(the reports say what there was).");

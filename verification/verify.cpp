@@ -6,6 +6,7 @@
 #include "output/provenance.hpp"
 #include "verification/interrupt.hpp"
 #include "verification/progress.hpp"
+#include "verification/sensitivity/launch.hpp"
 #include "verification/suite_report.hpp"
 #include "verification/verify_baseline.hpp"
 
@@ -20,23 +21,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-int threads_of(int jobs)
-{
-    if (jobs < 0) {
-        throw InputError("--jobs", "out of range (" + std::to_string(jobs) + ")", "allowed: at least 0");
-    }
-    return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
-std::string joined(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words) {
-        text.append(text.empty() ? "" : ",").append(word);
-    }
-    return text;
-}
 
 /// That makes the same reports again.
 std::string command_of(const VerifyOptions& options)
@@ -97,6 +81,10 @@ void check(const VerifyOptions& options)
            "--record", "the whole baseline is recorded, in data/", "allowed beside it: --data");
     refuse(options.baseline && (options.quick || options.full), "--baseline", "compares runs, not checks",
            "needed: no --quick or --full");
+    refuse(options.sensitivity &&
+               (options.baseline || !options.backends.empty() || !options.precisions.empty()),
+           "--sensitivity", "doesn't go with --baseline, --backend or --precision",
+           "it plants faults in the reference and in cpu");
 }
 
 int verify_suite(const VerifyOptions& options)
@@ -128,6 +116,23 @@ int verify_suite(const VerifyOptions& options)
 
 } // namespace
 
+int threads_of(int jobs)
+{
+    if (jobs < 0) {
+        throw InputError("--jobs", "out of range (" + std::to_string(jobs) + ")", "allowed: at least 0");
+    }
+    return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+std::string joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words) {
+        text.append(text.empty() ? "" : ",").append(word);
+    }
+    return text;
+}
+
 void make_report_directory(const fs::path& directory)
 {
     std::error_code error;
@@ -148,6 +153,9 @@ int verify(const VerifyOptions& options)
     check(options);
     if (options.baseline) {
         return verify_baseline(options);
+    }
+    if (options.sensitivity) {
+        launch_sensitivity(options);
     }
     return verify_suite(options);
 }

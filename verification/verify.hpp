@@ -20,6 +20,9 @@ struct VerifyOptions {
     bool baseline = false;      ///< instead: recorded runs; `only` names scenarios then
     bool record = false;        ///< with `baseline`: write data/ anew
     std::filesystem::path data; ///< where the baseline is; empty: data_directory
+
+    bool sensitivity = false;   ///< instead: faults planted in the equations
+    std::string faults = "all"; ///< which: all, ci
 };
 
 /// `aneurysm verify`: runs the suite, prints a summary, writes report.html, .json, .md and junit.xml; or does
@@ -33,5 +36,8 @@ inline constexpr int exit_interrupted = 130;
 
 /// Makes an --out, or takes an empty one. \throws InputError
 void make_report_directory(const std::filesystem::path& directory);
+/// `jobs`, or as many as there are cores for 0. \throws InputError when negative
+int threads_of(int jobs);
+std::string joined(const std::vector<std::string>& words); ///< by commas
 
 } // namespace aneurysm::verification

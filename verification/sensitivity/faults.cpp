@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/sensitivity/faults.hpp"
+
+#include <array>
+#include <utility>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+using faults::Backends;
+using faults::Kind;
+using faults::Part;
+using faults::places;
+
+std::vector<Kind> kinds_of(Part part)
+{
+    switch (part) {
+    case Part::term:
+    case Part::vector:
+    case Part::factor:
+        return {Kind::coefficient, Kind::sign, Kind::power, Kind::dropped, Kind::off_by_one};
+    case Part::limit:
+        return {Kind::coefficient, Kind::sign, Kind::dropped};
+    case Part::condition:
+        return {Kind::sign, Kind::dropped, Kind::off_by_one};
+    case Part::count:
+        return {Kind::off_by_one};
+    case Part::nought:
+        return {Kind::coefficient};
+    }
+    return {};
+}
+
+std::string_view name_of(Kind kind)
+{
+    constexpr std::array<std::string_view, 5> names{"coefficient", "sign", "power", "dropped", "off_by_one"};
+    return names.at(static_cast<std::size_t>(kind));
+}
+
+/// What is done to a part.
+std::string_view words_of(Kind kind, Part part)
+{
+    switch (kind) {
+    case Kind::coefficient:
+        return part == Part::nought ? "0.01 m/s instead" : "1 % too large";
+    case Kind::sign:
+        return part == Part::condition ? "the opposite" : "wrong sign";
+    case Kind::power:
+        return part == Part::vector ? "components in the wrong order" : "to the power 1.01";
+    case Kind::dropped:
+        return part == Part::factor      ? "left out (1)"
+               : part == Part::condition ? "left out (always)"
+                                         : "left out (0)";
+    case Kind::off_by_one:
+        return part == Part::count ? "one too few" : "the one before";
+    }
+    return "";
+}
+
+} // namespace
+
+std::vector<Fault> all_faults()
+{
+    std::vector<Fault> all;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        for (const Side side : {Side::reference, Side::device}) {
+            if (side == Side::reference && places.at(k).backends == Backends::optimised) {
+                continue;
+            }
+            for (const Kind kind : kinds_of(places.at(k).part)) {
+                all.push_back({static_cast<Place>(k), side, kind, fault_size});
+            }
+        }
+    }
+    return all;
+}
+
+std::vector<Fault> daily_faults()
+{
+    constexpr Side reference = Side::reference;
+    constexpr Side device = Side::device;
+    return {
+        {eq01_gravity, device, Kind::coefficient, fault_size},
+        {eq02_term, reference, Kind::off_by_one, fault_size},
+        {eq03_alpha_squares, reference, Kind::coefficient, fault_size},
+        {eq05_neighbors, reference, Kind::off_by_one, fault_size},
+        {eq08_force, device, Kind::sign, fault_size},
+    };
+}
+
+std::string equation_of(Place place)
+{
+    const std::string_view name = places.at(place).name;
+    if (name.starts_with("eos")) {
+        return "EOS";
+    }
+    if (name.starts_with("fig1")) {
+        return "Fig. 1";
+    }
+    if (name.starts_with("sec34")) {
+        return "3.4";
+    }
+    return std::to_string(std::stoi(std::string(name.substr(2, 2)))); // eqNN_
+}
+
+std::string name_of(Side side)
+{
+    return side == Side::reference ? "reference" : "cpu";
+}
+
+std::string name_of(const Fault& fault)
+{
+    return std::string(places.at(fault.place).name)
+        .append("/")
+        .append(name_of(fault.kind))
+        .append("/")
+        .append(name_of(fault.side));
+}
+
+std::string words_of(const Fault& fault)
+{
+    const faults::PlaceInfo& place = places.at(fault.place);
+    return std::string(place.text).append(": ").append(words_of(fault.kind, place.part));
+}
+
+} // namespace aneurysm::verification

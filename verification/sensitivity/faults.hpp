@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which faults `aneurysm verify --sensitivity` plants.
+#pragma once
+
+#include "common/fault.hpp"
+
+#include <string>
+#include <vector>
+
+namespace aneurysm::verification
+{
+
+using faults::Fault;
+using faults::Side;
+
+/// Relative size of a fault in a coefficient or an exponent: 1 %. Larger ones are easier to find.
+inline constexpr double fault_size = 0.01;
+
+/// Each kind of fault that makes sense at a place, at each place of each backend.
+std::vector<Fault> all_faults();
+
+/// 24 of them, for every day: both backends and all kinds, and each equation is hit, be it through another
+/// that uses it.
+std::vector<Fault> daily_faults();
+
+/// "22", "EOS", "Fig. 1" or "3.4".
+std::string equation_of(Place place);
+
+/// "eq22_radius/power/reference"
+std::string name_of(const Fault& fault);
+
+/// "R, to the power 1.01"
+std::string words_of(const Fault& fault);
+
+/// "reference" or "cpu": what the backend is called on the command line.
+std::string name_of(Side side);
+
+} // namespace aneurysm::verification

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a study of the suite's sensitivity says, to people and to programs.
+#pragma once
+
+#include "verification/sensitivity/sensitivity.hpp"
+
+#include <string>
+#include <vector>
+
+namespace aneurysm::verification
+{
+
+/// A study and where it comes from.
+struct SensitivityReport {
+    SensitivityStudy study{};
+    std::string selection; ///< which faults and checks, in words
+    std::string command;   ///< that repeats it
+    std::string date;      ///< in UTC
+    std::string machine;
+    int jobs = 1;
+};
+
+/// Faults of one equation, or of all.
+struct FaultTally {
+    std::string equation{}; ///< "(13)", "EOS", "Fig. 1", "3.4" or "all"
+    std::string title{};
+    int planted = 0;
+    int found = 0;
+    int argued = 0;
+
+    int unexplained() const { return planted - found - argued; }
+    void add(const FaultRow& row);
+};
+/// By equation, in the paper's order, and all in the last.
+std::vector<FaultTally> tallies(const SensitivityStudy& study);
+FaultTally tally(const SensitivityStudy& study, Side side);
+
+std::vector<const FaultRow*> survivors(const SensitivityStudy& study);
+/// Checks that no fault turned red.
+std::vector<const Sight*> blind(const SensitivityStudy& study);
+/// Cases that are red or can't be run without any fault.
+std::vector<const BaselineCase*> unusable(const SensitivityStudy& study);
+/// Checks that compute with no backend, only with oracles.
+std::vector<const Check*> without_backend(const SensitivityStudy& study);
+/// One line of the table of what each check sees; null where it looks at no such backend.
+struct SightPair {
+    const Check* check = nullptr;
+    const Sight* reference = nullptr;
+    const Sight* device = nullptr;
+};
+std::vector<SightPair> sight_pairs(const SensitivityStudy& study);
+
+/// "PASS" and what was found, in a sentence.
+std::string verdict_of(const SensitivityStudy& study);
+std::string headline(const SensitivityStudy& study);
+/// "1.1e-15 (eq13_radius)"
+std::string smallest_of(const Sight* sight);
+
+std::string sensitivity_text(const SensitivityReport& report); ///< for the terminal
+std::string sensitivity_markdown(const SensitivityReport& report);
+std::string sensitivity_json(const SensitivityReport& report);
+std::string sensitivity_html(const SensitivityReport& report); ///< with the kill matrix
+
+} // namespace aneurysm::verification

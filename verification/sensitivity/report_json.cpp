@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/provenance.hpp"
+#include "verification/json.hpp"
+#include "verification/sensitivity/report.hpp"
+
+#include <array>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+Json json(const FaultRow& row, const SensitivityStudy& study)
+{
+    constexpr std::array names{"unreached", "untried", "green", "red"};
+    Json checks = Json::object();
+    for (std::size_t k = 0; k < row.cells.size(); ++k) {
+        if (row.cells[k] != Cell::unreached) {
+            checks[std::string(study.checks[k]->id)] = names.at(static_cast<std::size_t>(row.cells[k]));
+        }
+    }
+    return {{"fault", name_of(row.fault)},
+            {"equation", equation_of(row.fault.place)},
+            {"backend", name_of(row.fault.side)},
+            {"what", words_of(row.fault)},
+            {"found_by", row.finder},
+            {"message", row.message},
+            {"argument", row.argument},
+            {"checks", checks}};
+}
+
+Json json(const Sight& sight)
+{
+    return {{"check", sight.check->id},
+            {"backend", name_of(sight.side)},
+            {"sees_a_fault", sight.sees},
+            {"smallest_coefficient_fault", sight.smallest > 0 ? Json(sight.smallest) : Json()},
+            {"place", sight.smallest > 0 ? Json(faults::places.at(sight.place).name) : Json()},
+            {"argument", sight.argument}};
+}
+
+Json json(const BaselineCase& c)
+{
+    constexpr std::array names{"holds", "fails", "not run"};
+    return {{"case", c.what.name()},
+            {"verdict", names.at(static_cast<std::size_t>(c.result.verdict))},
+            {"message", c.result.message},
+            {"cpu_seconds", c.result.seconds}};
+}
+
+template <class Item, class... More>
+Json list(const std::vector<Item>& items, const More&... more)
+{
+    Json result = Json::array();
+    for (const Item& item : items) {
+        result.push_back(json(item, more...));
+    }
+    return result;
+}
+
+} // namespace
+
+std::string sensitivity_json(const SensitivityReport& report)
+{
+    const SensitivityStudy& study = report.study;
+    const FaultTally all = tallies(study).back();
+    return json_text({{"verdict", verdict_of(study)},
+                      {"planted", all.planted},
+                      {"found", all.found},
+                      {"argued", all.argued},
+                      {"unexplained", all.unexplained()},
+                      {"fault_size", fault_size},
+                      {"selection", report.selection},
+                      {"command", report.command},
+                      {"date", report.date},
+                      {"machine", report.machine},
+                      {"seconds", study.seconds},
+                      {"provenance", output::provenance()},
+                      {"without_faults", list(study.baseline)},
+                      {"faults", list(study.rows, study)},
+                      {"checks", list(study.sights)}});
+}
+
+} // namespace aneurysm::verification

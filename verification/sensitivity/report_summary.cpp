@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// What all reports of a study count.
+#include "common/equations.hpp"
+#include "verification/sensitivity/report.hpp"
+#include "verification/suite_summary.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace aneurysm::verification
+{
+
+void FaultTally::add(const FaultRow& row)
+{
+    ++planted;
+    found += row.survives() ? 0 : 1;
+    argued += row.survives() && !row.argument.empty() ? 1 : 0;
+}
+
+std::vector<FaultTally> tallies(const SensitivityStudy& study)
+{
+    std::map<std::string, FaultTally> by_id;
+    FaultTally all{.equation = "all"};
+    for (const FaultRow& row : study.rows) {
+        by_id[equation_of(row.fault.place)].add(row);
+        all.add(row);
+    }
+    std::vector<FaultTally> result;
+    const auto take = [&](const std::string& id, const std::string& name, std::string_view title) {
+        if (const auto found = by_id.find(id); found != by_id.end()) {
+            result.push_back(found->second);
+            result.back().equation = name;
+            result.back().title = title;
+        }
+    };
+    for (const Equation& equation : equations) {
+        take(std::string(equation.id), number_of(equation), equation.title);
+    }
+    take("Fig. 1", "Fig. 1", "collision with the wall");
+    take("3.4", "3.4", "particle controller");
+    result.push_back(all);
+    return result;
+}
+
+FaultTally tally(const SensitivityStudy& study, Side side)
+{
+    FaultTally result{.equation = name_of(side)};
+    for (const FaultRow& row : study.rows) {
+        if (row.fault.side == side) {
+            result.add(row);
+        }
+    }
+    return result;
+}
+
+std::vector<const FaultRow*> survivors(const SensitivityStudy& study)
+{
+    std::vector<const FaultRow*> rows;
+    for (const FaultRow& row : study.rows) {
+        if (row.survives()) {
+            rows.push_back(&row);
+        }
+    }
+    return rows;
+}
+
+std::vector<const Sight*> blind(const SensitivityStudy& study)
+{
+    std::vector<const Sight*> all;
+    for (const Sight& sight : study.sights) {
+        if (!sight.sees) {
+            all.push_back(&sight);
+        }
+    }
+    return all;
+}
+
+std::vector<const BaselineCase*> unusable(const SensitivityStudy& study)
+{
+    std::vector<const BaselineCase*> cases;
+    for (const BaselineCase& c : study.baseline) {
+        if (c.result.verdict != Verdict::holds) {
+            cases.push_back(&c);
+        }
+    }
+    return cases;
+}
+
+std::vector<const Check*> without_backend(const SensitivityStudy& study)
+{
+    std::vector<const Check*> checks;
+    for (const Check* check : study.checks) {
+        const bool computes = std::ranges::any_of(study.baseline, [&](const BaselineCase& c) {
+            return c.what.check == check && (c.result.verdict != Verdict::holds ||
+                                             c.result.reached[0].any() || c.result.reached[1].any());
+        });
+        if (!computes) {
+            checks.push_back(check);
+        }
+    }
+    return checks;
+}
+
+std::vector<SightPair> sight_pairs(const SensitivityStudy& study)
+{
+    std::vector<SightPair> pairs;
+    for (const Sight& sight : study.sights) {
+        if (pairs.empty() || pairs.back().check != sight.check) {
+            pairs.push_back({.check = sight.check});
+        }
+        (sight.side == Side::reference ? pairs.back().reference : pairs.back().device) = &sight;
+    }
+    return pairs;
+}
+
+std::string verdict_of(const SensitivityStudy& study)
+{
+    return !study.complete ? "INCOMPLETE" : passed(study) ? "PASS" : "FAIL";
+}
+
+std::string headline(const SensitivityStudy& study)
+{
+    const FaultTally all = tallies(study).back();
+    const auto count = [](int n, const std::string& what) { return std::to_string(n).append(what); };
+    std::string text = count(all.planted, " faults planted, one at a time: ") +
+                       count(tally(study, Side::reference).planted, " in the reference, ") +
+                       count(tally(study, Side::device).planted, " in cpu. ") +
+                       count(all.found, " turned a check red");
+    if (all.argued > 0) {
+        text += count(all.argued, " can't, for a reason given").insert(0, ", ");
+    }
+    if (all.unexplained() > 0) {
+        text += count(all.unexplained(), " went unnoticed").insert(0, ", ");
+    }
+    return text.append(".");
+}
+
+std::string smallest_of(const Sight* sight)
+{
+    if (sight == nullptr) {
+        return "-";
+    }
+    return sight->smallest > 0
+               ? shown(sight->smallest).append(" (").append(faults::places.at(sight->place).name).append(")")
+           : sight->sees ? "none of its own"
+                         : "blind";
+}
+
+} // namespace aneurysm::verification

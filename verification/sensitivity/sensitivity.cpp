@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/sensitivity/sensitivity.hpp"
+
+#include "verification/interrupt.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+#include <tuple>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+constexpr double grace_s = 10; ///< CPU time that any trial may take [s]
+constexpr double patience = 5; ///< and how many times what the case takes without a fault
+constexpr double costly_s = 1; ///< a case that takes longer isn't tried with every fault
+constexpr int finest = 52;     ///< the smallest fault is 2^-52, one unit in the last place
+constexpr int coarsest = 0;    ///< and the largest 1
+
+/// Whether faults of `side` are first looked for with this subject.
+bool is_own(const Case& c, Side side)
+{
+    return c.check->scope == Scope::once ||
+           c.subject->name() == (side == Side::reference ? "reference" : "cpu double");
+}
+
+bool lists(const Check& check, Place place)
+{
+    return std::ranges::find(check.equations, equation_of(place)) != check.equations.end();
+}
+
+bool reaches(const BaselineCase& c, Side side, Place place)
+{
+    return c.result.verdict == Verdict::holds && c.result.reached.at(static_cast<std::size_t>(side))[place];
+}
+
+bool has_coefficient(Place place)
+{
+    using faults::Part;
+    const Part part = faults::places.at(place).part;
+    return part == Part::term || part == Part::vector || part == Part::factor || part == Part::nought;
+}
+
+class Study
+{
+public:
+    Study(SensitivityStudy& result, const StudyOptions& options, const AfterStep& after_step)
+        : result_(result), options_(options), after_step_(after_step)
+    {
+    }
+
+    void run()
+    {
+        share("case", result_.baseline, [this](BaselineCase& c, Turn& turn) {
+            constexpr double limit_s = 3600;
+            c.result = run_trial(c.what, std::nullopt, limit_s, turn);
+            return c.what.name();
+        });
+        share("fault", result_.rows, [this](FaultRow& row, Turn& turn) {
+            plant(row, turn);
+            return name_of(row.fault);
+        });
+        if (!options_.daily) {
+            list_sights();
+            share("check", result_.sights, [this](Sight& sight, Turn& turn) {
+                look(sight, turn);
+                return std::string(sight.check->id);
+            });
+        }
+    }
+
+private:
+    /// work(item, turn) for each item on several threads, see Turn.
+    template <class Item, class Work>
+    void share(const std::string& part, std::vector<Item>& items, const Work& work)
+    {
+        std::size_t next = 0; // both guarded by the turn
+        std::int64_t done = 0;
+        std::vector<std::jthread> threads;
+        for (int t = 0; t < std::max(options_.jobs, 1); ++t) {
+            threads.emplace_back([&] {
+                Turn turn(mutex_);
+                while (next < items.size() && !InterruptWatch::interrupted()) {
+                    const std::string last = work(items[next++], turn);
+                    ++done;
+                    if (after_step_) {
+                        after_step_(part, done, static_cast<std::int64_t>(items.size()), last);
+                    }
+                }
+            });
+        }
+    }
+
+    TrialResult tried(const BaselineCase& c, const Fault& fault, Turn& turn)
+    {
+        return run_trial(c.what, fault, grace_s + patience * c.result.seconds, turn);
+    }
+
+    /// The cases that compute with the fault's place: first those that look at its backend and list its
+    /// equation, then the backend's flows, then its others, then other backends' cases that use it, too;
+    /// cheap ones first.
+    std::vector<const BaselineCase*> cases_for(const Fault& fault) const
+    {
+        const auto rank = [&](const BaselineCase* c) {
+            const bool own = is_own(c->what, fault.side);
+            const bool flow = c->what.check->level >= Level::transient;
+            const int group = !own ? 3 : lists(*c->what.check, fault.place) ? 0 : flow ? 1 : 2;
+            return std::tuple(group, c->result.seconds);
+        };
+        std::vector<const BaselineCase*> cases;
+        for (const BaselineCase& c : result_.baseline) {
+            if (reaches(c, fault.side, fault.place)) {
+                cases.push_back(&c);
+            }
+        }
+        std::ranges::stable_sort(cases, {}, rank);
+        return cases;
+    }
+
+    std::size_t column_of(const Check* check) const
+    {
+        return static_cast<std::size_t>(std::ranges::find(result_.checks, check) - result_.checks.begin());
+    }
+
+    /// Whether a full study tries this case, found or not: all that look at the backend and list the
+    /// equation, and one flow. Costly ones see the faults in coefficients only, which are the hardest to see.
+    static bool is_wanted(const BaselineCase& c, const Fault& fault, bool flow_tried)
+    {
+        const bool flow = c.what.check->level >= Level::transient;
+        const bool of_equation = lists(*c.what.check, fault.place) || (flow && !flow_tried);
+        const bool affordable = c.result.seconds < costly_s || fault.kind == faults::Kind::coefficient;
+        return is_own(c.what, fault.side) && of_equation && affordable;
+    }
+
+    /// What else computes with the place is tried only as long as nothing has found the fault.
+    void plant(FaultRow& row, Turn& turn)
+    {
+        row.cells.assign(result_.checks.size(), Cell::unreached);
+        bool flow_tried = false;
+        for (const BaselineCase* c : cases_for(row.fault)) {
+            Cell& cell = row.cells[column_of(c->what.check)];
+            cell = std::max(cell, Cell::untried);
+            if (!row.survives() && (options_.daily || !is_wanted(*c, row.fault, flow_tried))) {
+                continue;
+            }
+            flow_tried = flow_tried || c->what.check->level >= Level::transient;
+            const TrialResult result = tried(*c, row.fault, turn);
+            cell = std::max(cell, result.red() ? Cell::red : Cell::green);
+            if (result.red() && row.survives()) {
+                row.finder = c->what.name();
+                row.message = result.message;
+            }
+        }
+        row.argument = argument_for(row.fault);
+    }
+
+    /// The case of a check in which faults of `side` are looked for; null: there is none.
+    const BaselineCase* case_of(const Check* check, Side side) const
+    {
+        for (const BaselineCase& c : result_.baseline) {
+            if (c.what.check == check && is_own(c.what, side) && c.result.verdict == Verdict::holds) {
+                return &c;
+            }
+        }
+        return nullptr;
+    }
+
+    void list_sights()
+    {
+        for (const Check* check : result_.checks) {
+            for (const Side side : {Side::reference, Side::device}) {
+                const BaselineCase* c = case_of(check, side);
+                if (c != nullptr && c->result.reached.at(static_cast<std::size_t>(side)).any()) {
+                    result_.sights.push_back({check, side});
+                }
+            }
+        }
+    }
+
+    void look(Sight& sight, Turn& turn)
+    {
+        const std::size_t column = column_of(sight.check);
+        const BaselineCase& c = *case_of(sight.check, sight.side);
+        std::vector<Place> seen; // with a coefficient of an equation of its own
+        for (const FaultRow& row : result_.rows) {
+            if (row.fault.side == sight.side && row.cells[column] == Cell::red) {
+                sight.sees = true;
+                if (row.fault.kind == faults::Kind::coefficient && has_coefficient(row.fault.place) &&
+                    lists(*sight.check, row.fault.place)) {
+                    seen.push_back(row.fault.place);
+                }
+            }
+        }
+        if (!sight.sees) {
+            look_everywhere(sight, c, turn);
+        }
+        int finest_red = coarsest - 1;
+        for (const Place place : seen) {
+            refine(finest_red, sight, c, place, turn);
+        }
+        sight.argument = argument_for(*sight.check, sight.side);
+    }
+
+    /// Wrong signs at all places that the check computes with, until one turns it red.
+    void look_everywhere(Sight& sight, const BaselineCase& c, Turn& turn)
+    {
+        for (std::size_t k = 0; k < place_count && !sight.sees; ++k) {
+            const auto place = static_cast<Place>(k);
+            if (reaches(c, sight.side, place)) {
+                sight.sees = tried(c, {place, sight.side, faults::Kind::sign, fault_size}, turn).red();
+            }
+        }
+    }
+
+    /// Bisection on 2^0 ... 2^-52, from what another place has reached already.
+    void refine(int& finest_red, Sight& sight, const BaselineCase& c, Place place, Turn& turn)
+    {
+        const auto is_red = [&](int k) {
+            const Fault fault{place, sight.side, faults::Kind::coefficient, std::ldexp(1, -k)};
+            return tried(c, fault, turn).red();
+        };
+        if (finest_red >= finest || !is_red(finest_red + 1)) {
+            return;
+        }
+        ++finest_red;
+        int green = finest + 1; // not tried: nothing is finer
+        while (green - finest_red > 1) {
+            const int middle = (finest_red + green) / 2;
+            (is_red(middle) ? finest_red : green) = middle;
+        }
+        sight.smallest = std::ldexp(1, -finest_red);
+        sight.place = place;
+    }
+
+    std::mutex mutex_;
+    SensitivityStudy& result_;
+    const StudyOptions& options_;
+    const AfterStep& after_step_;
+};
+
+std::vector<BaselineCase> cases_of(const std::vector<const Check*>& checks,
+                                   const std::vector<SuiteSubject>& subjects)
+{
+    std::vector<BaselineCase> cases;
+    for (const Check* check : checks) {
+        if (check->scope == Scope::once) {
+            cases.push_back({{check, &once()}});
+            continue;
+        }
+        for (const SuiteSubject& s : subjects) {
+            if (check->scope == Scope::flows || s.subject.equations != nullptr) {
+                cases.push_back({{check, &s.subject}});
+            }
+        }
+    }
+    return cases;
+}
+
+} // namespace
+
+SensitivityStudy run_study(const std::vector<const Check*>& checks, std::vector<SuiteSubject> subjects,
+                           const StudyOptions& options, const AfterStep& after_step)
+{
+    const auto start = std::chrono::steady_clock::now();
+    SensitivityStudy study{.checks = checks, .subjects = std::move(subjects)};
+    study.baseline = cases_of(checks, study.subjects);
+    for (const Fault& fault : options.faults) {
+        study.rows.push_back({fault});
+    }
+    Study(study, options, after_step).run();
+    study.complete = !InterruptWatch::interrupted();
+    study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return study;
+}
+
+bool passed(const SensitivityStudy& study)
+{
+    const auto argued = [](const auto& x) { return !x.argument.empty(); };
+    return std::ranges::none_of(study.baseline, [](const BaselineCase& c) { return c.result.red(); }) &&
+           std::ranges::all_of(study.rows,
+                               [&](const FaultRow& row) { return !row.survives() || argued(row); }) &&
+           std::ranges::all_of(study.sights, [&](const Sight& s) { return s.sees || argued(s); });
+}
+
+} // namespace aneurysm::verification

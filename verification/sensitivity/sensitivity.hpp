@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which planted fault turns which check red, and how small a fault each check sees.
+#pragma once
+
+#include "verification/sensitivity/trial.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aneurysm::verification
+{
+
+/// A case, and what it says without a fault; only one that holds is used.
+struct BaselineCase {
+    Case what;
+    TrialResult result{};
+};
+
+/// What became of a fault, as one check sees it.
+enum class Cell {
+    unreached, ///< the check doesn't compute with the place
+    untried,   ///< it does, but wasn't needed
+    green,
+    red,
+};
+
+/// A row of the kill matrix.
+struct FaultRow {
+    Fault fault;
+    std::vector<Cell> cells{};   ///< by check of the study
+    std::string finder{};        ///< the first case that it turned red; empty: it survives
+    std::string message{};       ///< what that case said
+    std::string_view argument{}; ///< why no check can find it; empty: no reason is known
+
+    bool survives() const { return finder.empty(); }
+};
+
+/// What a check sees of the faults in one backend.
+struct Sight {
+    const Check* check = nullptr;
+    Side side = Side::reference;
+    bool sees = false;         ///< some fault turned it red
+    double smallest = 0;       ///< relative size of the smallest fault in a coefficient of an equation of its
+                               ///< own that does, to within a factor of 2; 0: not looked for, or none up to 1
+    Place place = place_count; ///< where that is
+    std::string_view argument{}; ///< why no fault can turn it red; empty: no reason is known
+};
+
+struct SensitivityStudy {
+    std::vector<const Check*> checks{};
+    std::vector<SuiteSubject> subjects{}; ///< that the cases are about
+    std::vector<BaselineCase> baseline{};
+    std::vector<FaultRow> rows{};
+    std::vector<Sight> sights{}; ///< each check that computes with a backend; empty in a daily study
+    bool complete = true;        ///< not interrupted
+    double seconds = 0;
+};
+
+struct StudyOptions {
+    std::vector<Fault> faults{};
+    bool daily = false; ///< the first red check is enough for a fault, and nothing is asked of the checks
+    int jobs = 1;       ///< processes at once
+};
+
+/// Called now and then: what of the study, how much of it is done, of how much, and what was last.
+using AfterStep = std::function<void(const std::string& part, std::int64_t done, std::int64_t all,
+                                     const std::string& last)>;
+
+/// `subjects`: the reference, and cpu.
+SensitivityStudy run_study(const std::vector<const Check*>& checks, std::vector<SuiteSubject> subjects,
+                           const StudyOptions& options, const AfterStep& after_step = {});
+
+/// Why no check can find this fault; empty: no reason is known.
+std::string_view argument_for(const Fault& fault);
+/// Why no fault in this backend can turn this check red; empty: no reason is known.
+std::string_view argument_for(const Check& check, Side side);
+
+/// No case is red without a fault, each fault is found or argued, and each check sees some or is argued.
+bool passed(const SensitivityStudy& study);
+
+} // namespace aneurysm::verification

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// One check with one fault planted, in a process of its own: a fault may crash it, or keep it busy for ever.
+#pragma once
+
+#include "verification/sensitivity/faults.hpp"
+#include "verification/suite.hpp"
+
+#include <array>
+#include <bitset>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace aneurysm::verification
+{
+
+/// A check and whose equations and flows it looks at.
+struct Case {
+    const Check* check = nullptr;
+    const Subject* subject = nullptr;
+
+    std::string name() const; ///< "eq13_pole (reference)"
+};
+
+/// The places that a case computes with, by side.
+using Reached = std::array<std::bitset<place_count>, 2>;
+
+struct TrialResult {
+    Verdict verdict = Verdict::not_run;
+    std::string message{}; ///< why it fails: a quantity, an exception, a crash, no end
+    double seconds = 0;    ///< of CPU time
+    Reached reached{};
+
+    bool red() const { return verdict == Verdict::fails; }
+};
+
+/// Held by each thread of this process unless it waits for a child, so that no thread is in the middle of
+/// anything while another makes one.
+using Turn = std::unique_lock<std::mutex>;
+
+/// \param limit_s  CPU time after which the case counts as failing
+/// \throws Error when there can be no other process
+TrialResult run_trial(const Case& c, const std::optional<Fault>& fault, double limit_s, Turn& turn);
+
+} // namespace aneurysm::verification
