@@ -6,11 +6,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cstdlib>
-#include <stdexcept>
+#include <map>
+#include <string>
 
 using namespace aneurysm;
 using namespace aneurysm::verification;
-using faults::Kind;
 
 namespace
 {
@@ -49,7 +49,12 @@ void look_away(Probe& probe)
 
 Check check(std::string_view id, std::string_view equation, void (*run)(Probe&))
 {
-    return {.id = id, .equations = {equation}, .title = "a test", .scope = Scope::equations, .run = run};
+    return {.id = id,
+            .equations = {equation},
+            .title = "a test",
+            .oracles = {"none"},
+            .scope = Scope::equations,
+            .run = run};
 }
 
 SensitivityStudy run_study(const std::vector<Check>& checks, const StudyOptions& options)
@@ -61,8 +66,8 @@ SensitivityStudy run_study(const std::vector<Check>& checks, const StudyOptions&
     return verification::run_study(chosen, make_subjects({"reference", "cpu"}), options);
 }
 
-constexpr Fault in_stress{eq08_force, Side::reference, Kind::coefficient, fault_size};
-constexpr Fault in_pole{eq13_radius, Side::device, Kind::sign, fault_size};
+constexpr Fault in_stress{eq08_force, Side::reference, faults::Kind::coefficient, fault_size};
+constexpr Fault in_pole{eq13_radius, Side::device, faults::Kind::sign, fault_size};
 
 } // namespace
 

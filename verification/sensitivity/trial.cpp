@@ -14,6 +14,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <initializer_list>
 
 namespace aneurysm::verification
 {
@@ -47,6 +48,9 @@ Reached reached_places()
 /// The child's work.
 std::string run(const Case& c, const std::optional<Fault>& fault, double limit_s)
 {
+    for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPROF, SIGSEGV}) {
+        std::signal(signal, SIG_DFL); // a test's handlers would go on with the parent's work
+    }
     const rlimit memory{most_memory, most_memory};
     setrlimit(RLIMIT_AS, &memory);
     const itimerval timer{{0, 0}, {static_cast<time_t>(std::ceil(limit_s)), 0}};
