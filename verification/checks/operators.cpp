@@ -68,18 +68,34 @@ void cloud_density(Probe& probe)
                                    "(n + 32 + 8 L/h) u m W(0) per neighbour: n additions, 32 u of a term, "
                                    "positions of the box L rounded; for the "
                                    "oracle and the subject");
+    Quantity& record = probe.quantity(
+        "recorded density errors: largest, smallest, mean excess [1]", Source::rounding,
+        "the density's bound over rho_0, the quotient's gamma_2 and, of the mean, gamma_N of its additions");
     for (const KernelName kernel : kernels) {
         for (const double ratio : ratios) {
             Box box(probe, without_pressure(box_scenario(kernel, ratio)));
             box.disturb(0.25, 0, 2439);
             const auto flow = probe.simulate(box.scenario(), box.state());
-            flow->advance();
+            const FrameRecord r = flow->advance();
             const auto cloud = box.cloud(box.state(), flow->density());
+            double most = -1;
+            double least = 1;
+            double excess = 0;
+            double error = 0;
             for (std::size_t i = 0; i < box.size(); ++i) {
                 const auto expected = analytic::pair_density(cloud, i);
+                const double off = expected.value / box.medium().density - 1;
+                most = std::max(most, off);
+                least = std::min(least, off);
+                excess += std::max(off, 0.0) / static_cast<double>(box.size());
+                error = std::max(error, both(expected.error, probe.roundoff()) / box.medium().density);
                 rho.within(flow->density()[i], expected.value, both(expected.error, probe.roundoff()),
                            label(kernel, ratio, ", particle " + std::to_string(i)));
             }
+            error += rounding(static_cast<double>(box.size()) + 4) + probe.gamma(2);
+            record.within(r.density_error_max, most, error, label(kernel, ratio, ", largest"));
+            record.within(r.density_error_min, least, error, label(kernel, ratio, ", smallest"));
+            record.within(r.density_error_mean, excess, error, label(kernel, ratio, ", mean excess"));
         }
     }
 }
@@ -99,6 +115,9 @@ void cloud_frame(Probe& probe)
         probe.quantity("mean and largest |Drho/Dt|/rho_0 of the new velocity [1/s]", Source::rounding,
                        "the bound of the sum (2) as above, the mean's additions gamma_N, and the velocity's "
                        "rounding within it");
+    Quantity& motion =
+        probe.quantity("recorded kinetic energy and largest speed, relative [1]", Source::rounding,
+                       "gamma_16 of the mass and of a speed squared, gamma_2N of the additions in double");
     for (const KernelName kernel : kernels) {
         for (const double ratio : ratios) {
             Scenario s = box_scenario(kernel, ratio);
@@ -140,6 +159,15 @@ void cloud_frame(Probe& probe)
                                     where);
                 }
             }
+            double twice_energy = 0;
+            for (const Vec3& v : flow->state().particles.velocity) {
+                twice_energy += box.medium().mass * dot(v, v);
+            }
+            motion.within(2 * record.kinetic_energy / twice_energy, 1,
+                          2 * rounding(static_cast<double>(box.size())) + probe.gamma(16),
+                          label(kernel, ratio, ", energy"));
+            motion.within(record.speed_max / speed, 1, probe.gamma(8),
+                          label(kernel, ratio, ", largest speed"));
             double mean = 0;
             double largest = 0;
             double error = 0;
