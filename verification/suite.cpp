@@ -234,6 +234,10 @@ CheckResult run_check(const Check& check, const Subject& subject)
     result.notes = probe.notes();
     result.plots = probe.plots();
     judge(result);
+    if (result.verdict == Verdict::not_run) { // what was prepared for it says nothing
+        std::erase_if(result.quantities, [](const Quantity& q) { return q.compared() == 0; });
+        result.plots.clear();
+    }
     if (!thrown.empty()) {
         result.verdict = Verdict::fails;
         result.message = "stopped: " + thrown;

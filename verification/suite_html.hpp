@@ -26,6 +26,7 @@ Markup mark(Verdict verdict, const std::string& more = "");
 /// To the check's own section.
 Markup check_link(const Check& check);
 Markup level_heading(Level level);
+Markup joined(const std::vector<std::string_view>& words, std::string_view separator);
 
 /// The sections of the page.
 Markup summary_section(const SuiteReport& report);

@@ -46,26 +46,33 @@ std::vector<const Quantity*> quantities_of(const Results& results)
     return all;
 }
 
+using Texts = std::vector<std::pair<std::string, std::string>>; ///< each with the subjects that say it
+
+void collect(Texts& texts, const std::string& text, const std::string& subject)
+{
+    const auto known = std::ranges::find(texts, text, &Texts::value_type::first);
+    if (known == texts.end()) {
+        texts.emplace_back(text, subject);
+    } else {
+        known->second.append(", ").append(subject);
+    }
+}
+
 /// How the bound follows; where subjects have different ones, each with its subjects.
 Markup derivations(const Results& results, const Quantity& quantity)
 {
-    std::vector<std::pair<std::string, std::string>> texts; // derivation, subjects
+    Texts texts;
     for (const CheckResult* r : results) {
-        const Quantity* q = find(*r, quantity.name());
-        if (q == nullptr) {
-            continue;
+        if (const Quantity* q = find(*r, quantity.name())) {
+            collect(texts, q->derivation(), r->subject);
         }
-        const auto known =
-            std::ranges::find(texts, q->derivation(), &std::pair<std::string, std::string>::first);
-        if (known == texts.end()) {
-            texts.emplace_back(q->derivation(), r->subject);
-        } else {
-            known->second.append(", ").append(r->subject);
-        }
+    }
+    if (texts.size() == 1) {
+        return texts.front().first;
     }
     Markup result;
     for (const auto& [derivation, subjects] : texts) {
-        result << element("div", {}, texts.size() > 1 ? subjects + ": " : std::string(), derivation);
+        result << element("div", {}, subjects, ": ", derivation);
     }
     return result;
 }
@@ -105,8 +112,13 @@ Markup quantity_table(const Results& all)
 }
 
 /// Subjects with the same verdict for the same reason share a line.
-Markup verdicts(const Results& results)
+Markup verdicts(const Results& results, const SuiteReport& report)
 {
+    const auto is_missing = [&](const std::string& reason) {
+        return std::ranges::any_of(report.suite.subjects, [&](const SuiteSubject& s) {
+            return !reason.empty() && s.missing == reason;
+        });
+    };
     Markup items;
     for (auto r = results.begin(); r != results.end();) {
         const CheckResult& first = **r;
@@ -117,20 +129,27 @@ Markup verdicts(const Results& results)
                 who << element("span", {{"class", "weak"}}, " (", shown((*r)->seconds), " s)");
             }
         }
-        items << element("li", {}, mark(first.verdict), " for ", who,
-                         first.message.empty() ? "" : ": " + first.message);
+        const std::string why = is_missing(first.message) ? ", not there"
+                                : first.message.empty()   ? ""
+                                                          : ": " + first.message;
+        items << element("li", {}, mark(first.verdict), " for ", who, why);
     }
     return element("ul", {}, items);
 }
 
+/// Subjects with the same note share a line.
 Markup notes(const Results& results)
 {
-    Markup items;
+    Texts texts;
     for (const CheckResult* r : results) {
         for (const Note& n : r->notes) {
-            items << element("li", {}, r->subject, ": ", n.name, " = ", shown_value(n.value),
-                             n.remark.empty() ? "" : "; " + n.remark);
+            const std::string remark = n.remark.empty() ? "" : "; " + n.remark;
+            collect(texts, n.name + " = " + shown_value(n.value) + remark, r->subject);
         }
+    }
+    Markup items;
+    for (const auto& [text, subjects] : texts) {
+        items << element("li", {}, text, element("span", {{"class", "weak"}}, " (", subjects, ")"));
     }
     return items.empty() ? Markup()
                          : element("p", {}, "Worth reading, without a bound:") << element("ul", {}, items);
@@ -160,23 +179,14 @@ Markup equations_of(const Check& check)
     return text.empty() ? Markup("no equation by itself") : text;
 }
 
-Markup oracles_of(const Check& check)
-{
-    Markup text;
-    for (const std::string_view oracle : check.oracles) {
-        text << (text.empty() ? "" : "; ") << oracle;
-    }
-    return text;
-}
-
-Markup check_article(const Results& results)
+Markup check_article(const Results& results, const SuiteReport& report)
 {
     const Check& check = *results.front()->check;
     return element("article", {{"id", "check-" + std::string(check.id)}},
                    element("h4", {}, element("code", {}, check.id), " ", check.title),
-                   element("p", {}, "Looks at ", equations_of(check), ". Compared with: ", oracles_of(check),
-                           "."),
-                   verdicts(results), quantity_table(results), notes(results), plots(results))
+                   element("p", {}, "Looks at ", equations_of(check),
+                           ". Compared with: ", joined(check.oracles, "; "), "."),
+                   verdicts(results, report), quantity_table(results), notes(results), plots(results))
            << "\n";
 }
 
@@ -224,7 +234,7 @@ Markup checks_section(const SuiteReport& report)
                    << element("p", {}, meaning_of(check->level));
         }
         previous = check;
-        result << check_article(results);
+        result << check_article(results, report);
     }
     return element("section", {{"id", "checks"}}, result);
 }

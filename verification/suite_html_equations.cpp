@@ -22,6 +22,8 @@ Markup subject_cell(const EquationCell& c)
         return element("td", {{"class", "weak"}, {"title", c.remark}}, "not run");
     case State::shared:
         return element("td", {{"class", "weak"}}, c.remark);
+    case State::equal:
+        return number_cell(Markup("equal, ") << shown(c.tally.ratio));
     case State::none:
         break;
     }
@@ -47,20 +49,23 @@ bool was_chosen(const SuiteReport& report, const Check* check)
     return std::ranges::any_of(report.suite.results, [&](const CheckResult& r) { return r.check == check; });
 }
 
-/// Each check and what it compares with; those that were not chosen without a link.
+/// The checks that can show that it holds, with what they compare with; the others in a line each.
 Markup checks_cell(const SuiteReport& report, const EquationSummary& e)
 {
-    Markup content;
+    Markup evidence;
+    Markup others;
+    Markup left_out;
     for (const Check* check : e.checks) {
-        Markup oracles;
-        for (const std::string_view oracle : check->oracles) {
-            oracles << (oracles.empty() ? ": " : "; ") << oracle;
+        if (!was_chosen(report, check)) {
+            left_out << (left_out.empty() ? "not chosen: " : ", ") << check->id;
+        } else if (!is_evidence(*check)) {
+            others << (others.empty() ? "also: " : ", ") << check_link(*check);
+        } else {
+            evidence << element("div", {}, check_link(*check), ": ", joined(check->oracles, "; "));
         }
-        const bool chosen = was_chosen(report, check);
-        content << element("div", {}, chosen ? check_link(*check) : Markup(check->id),
-                           chosen ? oracles : Markup(": not chosen"));
     }
-    return element("td", {{"class", "long"}}, content);
+    return element("td", {{"class", "long"}}, evidence, element("div", {}, others),
+                   element("div", {{"class", "weak"}}, left_out));
 }
 
 template <class Enum>
@@ -100,18 +105,17 @@ Markup equations_section(const SuiteReport& report)
                     checks_cell(report, e))
              << "\n";
     }
-    return element("section", {{"id", "equations"}}, element("h2", {}, "Equation by equation"),
-                   element("p", {},
-                           "The numbers under the versions are the largest measured/allowed of all checks of "
-                           "the equation: 0.3 "
-                           "says that the difference found was 30 % of what is allowed. The formulas of the "
-                           "fast version are the "
-                           "same functions in 16 and in 7 digits and are checked once by themselves; its "
-                           "flows are checked in "
-                           "both. A formula is read as printed, or reconstructed where signs and fractions "
-                           "are lost in print, or "
-                           "assumed where the paper leaves a rule open."),
-                   table(head, rows));
+    return element(
+        "section", {{"id", "equations"}}, element("h2", {}, "Equation by equation"),
+        element("p", {},
+                "The numbers under the versions are the largest measured/allowed of all checks of the "
+                "equation: 0.3 says that the difference found was 30 % of what is allowed. The "
+                "formulas of the fast version are the same functions in 16 and in 7 digits and are "
+                "checked once by themselves; its flows are checked in both. “Equal” has no "
+                "independent answer of its own, but was compared with the reference. A formula is "
+                "read as printed, or reconstructed where signs and fractions are lost in print, or "
+                "assumed where the paper leaves a rule open."),
+        table(head, rows));
 }
 
 Markup about_section(const SuiteReport& report)
@@ -124,22 +128,23 @@ Markup about_section(const SuiteReport& report)
         element(
             "p", {},
             "A check holds when it compared at least one number for each of its quantities and every "
-            "difference is "
-            "at most the allowed one. A check that compared nothing, met a value that is no number, or "
-            "stopped "
-            "with an error fails. An equation holds when at least one check of it was run for at least one "
-            "version "
-            "of the program and none fails; the table says for which versions. What was not run is neither."),
-        element("h3", {}, "Where allowed differences come from"), definitions(Source::statistics),
-        element("p", {}, "A bound is marked ", element("span", {{"class", "warn"}}, "loose"),
-                " when it is more than 1,000 times what was found, and more than one rounding of the number: "
-                "it may "
-                "be larger than it need be, and hide a small fault."),
-        element("h3", {}, "How to repeat it"), element("p", {}, element("code", {}, report.command)),
+            "difference is at most the allowed one. A check that compared nothing, met a value that is no "
+            "number, or stopped with an error fails."),
         element("p", {},
-                "The same build on the same kind of processor gives the same numbers; the other files beside "
-                "this one "
-                "are report.json (everything, for programs), report.md and junit.xml."),
+                "An equation holds when no check of it fails and at least one of the levels L0 to L3, which "
+                "compare the program with answers found without it, holds for at least one version of the "
+                "program; the table says for which. Levels L4 and L5, and checks of the answers against one "
+                "another (“once”), can make an equation fail but not hold. What was not run is neither."),
+        element("h3", {}, "Where allowed differences come from"), definitions(Source::statistics),
+        element(
+            "p", {}, "A bound is marked ", element("span", {{"class", "warn"}}, "loose"),
+            " when it is more than 1,000 times what was found, and more than one rounding of the number: it "
+            "may be larger than it need be, and hide a small fault."),
+        element("h3", {}, "How to repeat it"), element("p", {}, element("code", {}, report.command)),
+        element(
+            "p", {},
+            "The same build on the same kind of processor gives the same numbers. The files beside this one "
+            "are report.json (everything, for programs), report.md and junit.xml."),
         element("p", {{"class", "weak"}}, "Commit ", build.commit, "; ", build.compiler, " ",
                 element("code", {}, build.flags), "; ", report.machine, "; ", std::to_string(report.threads),
                 " checks at once; ", report.date, "."));

@@ -36,23 +36,29 @@ Markup banner(const SuiteReport& report)
                                                        : "Something fails. ";
     return element("p", {{"class", good ? "verdict holds" : "verdict fails"}}, good ? "✓ " : "✗ ", text,
                    headline(report.equations), ".")
+           << element("p", {{"class", "weak"}}, report.selection, ". ", report.date, ", ",
+                      shown(suite.seconds), " s on ", report.machine, ".")
            << "\n";
 }
 
 Markup figures(const SuiteReport& report)
 {
-    const Tally t = tally(report.suite);
     const auto hold = std::ranges::count(report.equations, EquationVerdict::holds, &EquationSummary::verdict);
+    std::int64_t independent = 0;
+    for (const Level level : {Level::scalar, Level::lattice, Level::transient, Level::continuous}) {
+        independent += tally(report.suite, level).compared;
+    }
+    const Tally all = tally(report.suite);
     const auto item = [](const std::string& number, const std::string& what) {
         return element("li", {}, element("b", {}, number), what);
     };
-    return element(
-               "ul", {{"class", "figures"}},
-               item(std::to_string(hold) + " of " + std::to_string(report.equations.size()),
-                    "equations hold"),
-               item(grouped(t.compared), "numbers compared with an independent answer"),
-               item(std::to_string(t.fails), "checks fail"),
-               item(percent(t.ratio), "of the allowed difference used by the number that came closest to it"))
+    return element("ul", {{"class", "figures"}},
+                   item(std::to_string(hold) + " of " + std::to_string(report.equations.size()),
+                        "equations hold"),
+                   item(grouped(independent), "numbers compared with an answer found independently"),
+                   item(grouped(all.compared - independent),
+                        "numbers compared between versions or runs of the program"),
+                   item(std::to_string(all.fails), "checks fail"))
            << "\n";
 }
 
@@ -67,24 +73,28 @@ std::string described(const SuiteSubject& s)
            (precision == "double" ? "; 16 digits" : "; 7 digits");
 }
 
+Markup subject_row(const SuiteReport& report, const std::string& name, const std::string& what,
+                   const std::string& device)
+{
+    Tally t;
+    for (const CheckResult& r : report.suite.results) {
+        if (r.subject == name) {
+            t.add(r);
+        }
+    }
+    return row(cell(name), cell(what), number_cell(std::to_string(t.holds)),
+               number_cell(std::to_string(t.fails)), number_cell(std::to_string(t.not_run)), cell(device));
+}
+
 Markup subjects_table(const SuiteReport& report)
 {
     Markup rows;
     for (const SuiteSubject& s : report.suite.subjects) {
-        Tally t;
-        for (const CheckResult& r : report.suite.results) {
-            if (r.subject == s.subject.name()) {
-                t.add(r);
-            }
-        }
-        const bool missing = !s.missing.empty();
-        rows << row(cell(s.subject.name()), cell(described(s)), number_cell(std::to_string(t.holds)),
-                    number_cell(std::to_string(t.fails)), number_cell(std::to_string(t.not_run)),
-                    number_cell(percent(t.ratio)), cell(missing ? "not checked: " + s.missing : s.device));
+        rows << subject_row(report, s.subject.name(), described(s),
+                            s.missing.empty() ? s.device : "not there, see below");
     }
-    return table({"version", "what it is", "checks hold", "fail", "not run", "used of its bound, at most",
-                  "where it ran"},
-                 rows);
+    rows << subject_row(report, "once", "the independent answers, against one another", "one CPU core");
+    return table({"version", "what it is", "checks hold", "fail", "not run", "where it ran"}, rows);
 }
 
 Markup levels_table(const SuiteReport& report)
@@ -101,10 +111,12 @@ Markup levels_table(const SuiteReport& report)
                                << ")";
         }
         rows << row(cell(level_heading(level)), number_cell(grouped(t.compared)),
-                    number_cell(std::to_string(t.fails)), number_cell(percent(t.ratio)), cell(closest));
+                    number_cell(std::to_string(t.fails)),
+                    number_cell(percent(median_ratio(report.suite, level))), number_cell(percent(t.ratio)),
+                    cell(closest));
     }
-    return table({"level", "numbers compared", "checks that fail", "used of its bound, at most",
-                  "the number that came closest"},
+    return table({"level", "numbers compared", "checks that fail", "half of the quantities used at most",
+                  "all used at most", "the number that came closest to its bound"},
                  rows);
 }
 
@@ -140,31 +152,27 @@ Markup unchecked(const SuiteReport& report)
 
 Markup summary_section(const SuiteReport& report)
 {
-    const SuiteResult& suite = report.suite;
     return element(
         "section", {{"id", "summary"}}, banner(report),
         element(
             "p", {},
             "The program simulates how an aneurysm, a bulge in an artery, grows and bursts. Blood is many "
-            "small "
-            "particles that push one another (smoothed particle hydrodynamics). The model is that of one "
-            "paper "
-            "(Wu et al., Mathematics 2025, 13(15), 2439, doi 10.3390/math13152439): 28 numbered equations "
-            "and an "
-            "equation of state. For each, this report compares what the program computes with answers found "
-            "independently of it: formulas derived by hand, and numbers from the GNU Scientific Library."),
+            "small particles that push one another (smoothed particle hydrodynamics). The model is that of "
+            "one paper (Wu et al., Mathematics 2025, 13(15), 2439, doi 10.3390/math13152439): 28 numbered "
+            "equations and an equation of state. For each, this report compares what the program computes "
+            "with answers found independently of it: formulas derived by hand, and numbers from the GNU "
+            "Scientific Library."),
         figures(report),
         element(
             "p", {},
             "No computer meets an answer to the last digit, so a difference is allowed for every number. How "
             "large it may be is never chosen by feel: it follows from a stated reason, such as the number of "
             "roundings behind the number, which is printed beside it. A number that used 30 % of its allowed "
-            "difference is well inside; above 100 % is a failure."),
+            "difference is well inside; above 100 % is a failure. Some come close because their bounds are "
+            "sharp: a solve stops just below its tolerance."),
         element("h3", {}, "Which versions of the program"), subjects_table(report),
         element("h3", {}, "How exactly"), levels_table(report), element("h3", {}, "What was not checked"),
-        unchecked(report),
-        element("p", {{"class", "weak"}}, report.selection, ". ", report.date, ", ", shown(suite.seconds),
-                " s on ", report.machine, "."));
+        unchecked(report));
 }
 
 } // namespace aneurysm::verification

@@ -50,6 +50,15 @@ Markup level_heading(Level level)
     return Markup("L") << std::to_string(static_cast<int>(level)) << ": " << name_of(level);
 }
 
+Markup joined(const std::vector<std::string_view>& words, std::string_view separator)
+{
+    Markup text;
+    for (const std::string_view word : words) {
+        text << (text.empty() ? "" : separator) << word;
+    }
+    return text;
+}
+
 namespace
 {
 

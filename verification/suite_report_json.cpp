@@ -92,7 +92,7 @@ Json to_json(const EquationSummary& e)
             {"verdict", name_of(e.verdict)},
             {"remark", e.remark},
             {"checks", array_of(e.checks, [](const Check* c) { return c->id; })},
-            {"own_checks", array_of(e.checks, [](const Check* c) { return c->scope != Scope::once; })}};
+            {"evidence", array_of(e.checks, [](const Check* c) { return is_evidence(*c); })}};
 }
 
 Json to_json(const SuiteSubject& s)

@@ -43,10 +43,11 @@ table { border-collapse: collapse; font-size: 0.86rem; line-height: 1.4; }
 th, td { border-bottom: 1px solid var(--line); padding: 0.3rem 0.6rem; text-align: left; vertical-align: top; }
 thead th { background: var(--shade); border-bottom: 2px solid var(--line); }
 tr.group th { background: var(--shade); font-weight: 600; padding-top: 0.6rem; }
+tr.group div { font-weight: 400; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-.long { min-width: 17rem; }
+.long { min-width: 16rem; }
 article { border: 1px solid var(--line); border-radius: 0.5rem; margin: 1rem 0; padding: 0.8rem 1rem; }
-figure { display: inline-block; margin: 0.5rem 1rem 0.5rem 0; max-width: 36rem; width: 100%; vertical-align: top; }
+figure { display: inline-block; margin: 0.5rem 1rem 0.5rem 0; max-width: 33rem; width: 100%; vertical-align: top; }
 figcaption { font-size: 0.86rem; font-weight: 600; }
 svg { width: 100%; height: auto; } svg text { fill: var(--text); font-size: 13px; }
 .axis { stroke: var(--text); } .grid { stroke: var(--line); }

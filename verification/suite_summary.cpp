@@ -27,18 +27,23 @@ bool names(const Check& check, const Equation& equation)
 EquationCell cell_of(const std::vector<const CheckResult*>& results, const std::string& subject)
 {
     EquationCell cell;
+    Tally evidence;
     for (const CheckResult* r : results) {
         if (r->subject == subject) {
             cell.tally.add(*r);
+            if (is_evidence(*r->check)) {
+                evidence.add(*r);
+            }
             cell.remark = r->verdict == Verdict::not_run ? r->message : cell.remark;
         }
     }
     const Tally& t = cell.tally;
     using State = EquationCell::State;
-    cell.state = t.fails > 0     ? State::fails
-                 : t.holds > 0   ? State::holds
-                 : t.not_run > 0 ? State::not_run
-                                 : State::none;
+    cell.state = t.fails > 0          ? State::fails
+                 : evidence.holds > 0 ? State::holds
+                 : t.holds > 0        ? State::equal
+                 : t.not_run > 0      ? State::not_run
+                                      : State::none;
     return cell;
 }
 
@@ -52,7 +57,9 @@ void share(std::vector<EquationCell>& cells, const std::vector<SuiteSubject>& su
             continue;
         }
         for (std::size_t k = 0; k < subjects.size(); ++k) {
-            if (cells[k].state == EquationCell::State::none && is_optimised(subjects[k])) {
+            const EquationCell::State state = cells[k].state;
+            if ((state == EquationCell::State::none || state == EquationCell::State::equal) &&
+                is_optimised(subjects[k])) {
                 const bool here = subjects[k].missing.empty();
                 cells[k].state = here ? EquationCell::State::shared : EquationCell::State::not_run;
                 cells[k].remark = here ? "as " + subjects[owner].subject.name() : subjects[k].missing;
@@ -63,7 +70,6 @@ void share(std::vector<EquationCell>& cells, const std::vector<SuiteSubject>& su
 
 void judge(EquationSummary& e, const std::vector<const CheckResult*>& results)
 {
-    const auto is_own = [](const Check* check) { return check->scope != Scope::once; };
     const auto any = [&](Verdict v) {
         return std::ranges::any_of(results, [v](const CheckResult* r) { return r->verdict == v; });
     };
@@ -73,7 +79,7 @@ void judge(EquationSummary& e, const std::vector<const CheckResult*>& results)
         std::ranges::any_of(results, [](const CheckResult* r) { return r->message == interruption; });
     if (any(Verdict::fails)) {
         e.verdict = EquationVerdict::fails;
-    } else if (std::ranges::none_of(e.checks, is_own)) {
+    } else if (std::ranges::none_of(e.checks, [](const Check* c) { return is_evidence(*c); })) {
         e.verdict = EquationVerdict::no_check;
         e.remark = "the suite has no check of it";
     } else if (held && !cut_short) {
@@ -163,6 +169,29 @@ Tally tally(const SuiteResult& suite, Level level)
         }
     }
     return t;
+}
+
+bool is_evidence(const Check& check)
+{
+    return check.scope != Scope::once && check.level < Level::metamorphic;
+}
+
+double median_ratio(const SuiteResult& suite, Level level)
+{
+    std::vector<double> ratios;
+    for (const CheckResult& r : suite.results) {
+        for (const Quantity& q : r.quantities) {
+            if (r.check->level == level && q.compared() > 0) {
+                ratios.push_back(q.worst().ratio);
+            }
+        }
+    }
+    if (ratios.empty()) {
+        return -1;
+    }
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>((ratios.size() - 1) / 2);
+    std::ranges::nth_element(ratios, middle);
+    return *middle;
 }
 
 std::vector<EquationSummary> by_equation(const SuiteResult& suite, const std::vector<Check>& checks)

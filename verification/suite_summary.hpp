@@ -36,8 +36,13 @@ struct Tally {
 };
 Tally tally(const CheckResult& result);
 
+/// Whether it compares the program itself with an answer found without it: only such a check can show that
+/// an equation holds. The others, of oracles and of runs with one another, can only show that something
+/// fails.
+bool is_evidence(const Check& check);
+
 enum class EquationVerdict {
-    holds,       ///< all that was checked, in at least one backend
+    holds,       ///< all that was checked, by evidence for at least one backend
     fails,       ///< somewhere
     not_checked, ///< not chosen, not run or interrupted; the remark says which
     no_check,    ///< the suite has none
@@ -51,6 +56,7 @@ struct EquationCell {
         fails,
         not_run,
         shared, ///< the formula is another subject's, in whose cell the result is
+        equal,  ///< no evidence of its own, but compared with the reference or itself
         none,   ///< nothing chosen that looks at it
     };
     State state = State::none;
@@ -66,7 +72,7 @@ struct EquationSummary {
     std::string remark{}; ///< why not checked
 };
 
-/// One for each row of the table of equations. Checks of Scope::once alone don't make an equation hold.
+/// One for each row of the table of equations.
 /// \param checks  all there are
 std::vector<EquationSummary> by_equation(const SuiteResult& suite, const std::vector<Check>& checks);
 
@@ -81,6 +87,8 @@ std::vector<Reason> not_run(const SuiteResult& suite);
 
 Tally tally(const SuiteResult& suite);
 Tally tally(const SuiteResult& suite, Level level);
+/// What half of the quantities used of their bounds at most; -1: nothing compared.
+double median_ratio(const SuiteResult& suite, Level level);
 /// Something was compared, and nothing fails.
 bool passed(const SuiteResult& suite);
 /// "29 of 29 equations hold", and which others there are.

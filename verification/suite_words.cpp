@@ -29,29 +29,27 @@ std::string_view meaning_of(Level level)
 {
     switch (level) {
     case Level::scalar:
-        return "Each formula of the paper by itself, against two answers found in other ways: a formula "
-               "derived by "
-               "hand, and numbers computed by the GNU Scientific Library.";
+        return "Each formula of the paper by itself, against answers found in other ways: formulas derived "
+               "by "
+               "hand, and numbers of the GNU Scientific Library or of a computation with 50 digits.";
     case Level::lattice:
-        return "Sums over neighbouring particles. On a regular lattice mathematics gives the exact sum, so "
-               "that only "
-               "rounding may separate it from ours.";
+        return "Sums over neighbouring particles: of regular lattices, whose exact sums mathematics gives, "
+               "and "
+               "of disordered clouds, summed by brute force. Only rounding may separate them from ours.";
     case Level::transient:
-        return "Whole flows, step by step, whose answer in the same steps is known exactly: again only "
-               "rounding may "
-               "separate the two.";
+        return "Whole flows, step by step, whose answer in the same steps is known: again only rounding may "
+               "separate the two, or the stated tolerance of the solve for the pressure.";
     case Level::continuous:
         return "Flows whose exact solution is a formula of space and time. Particles and time steps make an "
-               "error; "
-               "its size is predicted, and an error smaller than predicted fails as a larger one does.";
+               "error; its size is predicted, and an error smaller than predicted fails as a larger one "
+               "does.";
     case Level::metamorphic:
-        return "The same run told differently (mirrored, in other units, interrupted, on more threads): the "
-               "result "
-               "must be the same to the last bit.";
+        return "The same run told differently (in other units, interrupted, on more threads, moved in "
+               "space): "
+               "the result must be the same to the last bit.";
     case Level::executors:
         return "The fast versions of the program against the plain one that reads like the paper. This shows "
-               "that "
-               "they are equivalent; that they are right follows from the other levels.";
+               "that they are equivalent; that they are right follows from the other levels.";
     }
     return "";
 }

@@ -229,8 +229,9 @@ void impact(Probe& probe)
                        "m/dt times gamma_4 of both velocities and gamma_60 of the acceleration's three "
                        "parts, each of the size of F_b or of "
                        "g, whose sum the frame rounds in another order");
-    Quantity& others = probe.quantity("m |dv|/dt of the others in S, no larger than F_b [N]",
-                                      Source::rounding, "the same bound");
+    Quantity& others =
+        probe.quantity("m |dv|/dt of the others in S, no larger than F_b [N]", Source::rounding,
+                       "as of F_b: m/dt gamma_4 of both velocities and gamma_60 of F_b and m g");
     const Scenario s = shipped_scenario("quick");
     const Vessel vessel(s, s.vessel.radius_m / std::cbrt(2.0));
     const double dt = s.time.frame_s;
