@@ -10,6 +10,7 @@ namespace
 {
 
 using std::numbers::pi;
+constexpr double u = std::numeric_limits<double>::epsilon() / 2;
 
 double positive_part(double x)
 {
@@ -19,39 +20,45 @@ double positive_part(double x)
 /// Coefficients of q^0 .. q^5 of Wendland's C2 kernel, 1 at q = 0.
 constexpr std::array<double, 6> wendland{1, 0, -5.0 / 2, 5.0 / 2, -15.0 / 16, 1.0 / 8};
 
-/// int_0^2 q^(n + 2) w dq of the kernel's shape w, exact up to rounding.
-double shape_moment(KernelName name, int n)
-{
-    if (name == KernelName::wendland_c2) {
-        double sum = 0;
-        for (int j = 0; j < 6; ++j) {
-            sum += wendland[static_cast<std::size_t>(j)] * std::pow(2, n + 3 + j) / (n + 3 + j);
-        }
-        return sum;
-    }
-    // int_0^a (a - q)^3 q^s dq = 6 a^(s + 4) / ((s + 1)(s + 2)(s + 3)(s + 4)) for both powers
-    const double s = n + 2;
-    return (std::pow(2, s + 4) - 4) * 6 / ((s + 1) * (s + 2) * (s + 3) * (s + 4)) / 4;
-}
-
 double shape_scale(KernelName name)
 {
     return name == KernelName::wendland_c2 ? 21 / (16 * pi) : 1 / pi;
 }
 
-double transform_near_zero(KernelName name, double x)
+/// int_0^2 q^(n + 2) w dq of the kernel's shape w; 8 roundings on each term.
+Estimate shape_moment(KernelName name, int n)
 {
-    double sum = 0;
+    if (name == KernelName::wendland_c2) {
+        Estimate sum;
+        for (int j = 0; j < 6; ++j) {
+            const double term = wendland[static_cast<std::size_t>(j)] * std::pow(2, n + 3 + j) / (n + 3 + j);
+            sum.value += term;
+            sum.error += 8 * u * std::abs(term);
+        }
+        return sum;
+    }
+    // int_0^a (a - q)^3 q^s dq = 6 a^(s + 4) / ((s + 1)(s + 2)(s + 3)(s + 4)) for both powers
+    const double s = n + 2;
+    const double value = (std::pow(2, s + 4) - 4) * 6 / ((s + 1) * (s + 2) * (s + 3) * (s + 4)) / 4;
+    return {value, 8 * u * value};
+}
+
+/// The series; its terms from n = 26 on are below 1e-20.
+Estimate transform_near_zero(KernelName name, double x)
+{
+    Estimate sum;
     double factor = 4 * pi * shape_scale(name);
     for (int n = 0; n <= 24; n += 2) {
-        sum += factor * shape_moment(name, n);
+        const Estimate moment = shape_moment(name, n);
+        sum.value += factor * moment.value;
+        sum.error += std::abs(factor) * (moment.error + (2 * n + 8) * u * moment.value);
         factor *= -x * x / ((n + 2) * (n + 3));
     }
     return sum;
 }
 
 /// 4 pi / x int_0^2 q w sin(x q) dq by parts; x = k h.
-double wendland_transform(double x)
+Estimate wendland_transform(double x)
 {
     std::array<double, 7> p{}; // q w
     for (std::size_t j = 0; j < 6; ++j) {
@@ -64,18 +71,39 @@ double wendland_transform(double x)
         }
         return sum;
     };
-    double integral = 0;
+    const auto magnitude_at_2 = [&p] {
+        double sum = 0;
+        for (std::size_t j = p.size(); j-- > 0;) {
+            sum = sum * 2 + std::abs(p[j]);
+        }
+        return sum;
+    };
+    Estimate integral;
     for (int n = 0; n < 7; ++n) { // the n-th antiderivative of the sine meets the n-th derivative of q w
         const double phase = (n + 1) * pi / 2;
         const auto antiderivative = [&](double q) { return std::sin(x * q - phase) / std::pow(x, n + 1); };
         const double sign = n % 2 == 0 ? 1 : -1;
-        integral += sign * (value_at(2) * antiderivative(2) - value_at(0) * antiderivative(0));
+        integral.value += sign * (value_at(2) * antiderivative(2) - value_at(0) * antiderivative(0));
+        // 24 roundings on the values, those of the angle on the sines
+        integral.error += (24 + 2 * x + phase) * u * (magnitude_at_2() + std::abs(p[0])) / std::pow(x, n + 1);
         for (std::size_t j = 1; j < p.size(); ++j) {
             p[j - 1] = static_cast<double>(j) * p[j];
         }
         p.back() = 0;
     }
-    return shape_scale(KernelName::wendland_c2) * 4 * pi / x * integral;
+    const double factor = shape_scale(KernelName::wendland_c2) * 4 * pi / x;
+    return {factor * integral.value, factor * integral.error};
+}
+
+/// 3 sin^3 x (sin x - x cos x) / x^6; 16 roundings on both terms, 2 of x, which moves them.
+Estimate spline_transform(double x)
+{
+    const double s = std::sin(x);
+    const double c = std::cos(x);
+    const double terms = std::abs(s) + x * std::abs(c);
+    const double moved = 2 * x * (3 * s * s * terms + x * std::pow(s, 4));
+    return {3 * std::pow(s, 3) * (s - x * c) / std::pow(x, 6),
+            3 * u * (16 * std::pow(std::abs(s), 3) * terms + moved) / std::pow(x, 6)};
 }
 
 } // namespace
@@ -143,20 +171,16 @@ double exact_gradient_norm(KernelName name, double h)
     return (name == KernelName::cubic_spline ? 12 / (7 * pi) : 105 / (44 * pi)) / std::pow(h, 5);
 }
 
-double kernel_transform(KernelName name, double h, double k)
+Estimate kernel_transform(KernelName name, double h, double k)
 {
     const double kh = std::abs(k) * h;
     if (kh < 1) {
         return transform_near_zero(name, kh);
     }
-    if (name == KernelName::wendland_c2) {
-        return wendland_transform(kh);
-    }
-    const double x = kh / 2;
-    return 3 * std::pow(std::sin(x), 3) * (std::sin(x) - x * std::cos(x)) / std::pow(x, 6);
+    return name == KernelName::wendland_c2 ? wendland_transform(kh) : spline_transform(kh / 2);
 }
 
-double viscosity_transform(double H, double k)
+Estimate viscosity_transform(double H, double k)
 {
     const double a = std::abs(k) * H;
     if (a < 1) { // sum_n (-1)^n (2n - 2)/(2n)! a^(2n - 4), n >= 2
@@ -166,9 +190,11 @@ double viscosity_transform(double H, double k)
             sum += factor * (2 * n - 2);
             factor *= -a * a / ((2 * n + 1) * (2 * n + 2));
         }
-        return 180 / std::pow(H, 2) * sum;
+        const double value = 180 / std::pow(H, 2) * sum;
+        return {value, 32 * u * value};
     }
-    return 180 / (std::pow(H, 2) * std::pow(a, 4)) * (2 - 2 * std::cos(a) - a * std::sin(a));
+    const double factor = 180 / (std::pow(H, 2) * std::pow(a, 4));
+    return {factor * (2 - 2 * std::cos(a) - a * std::sin(a)), factor * (16 * (4 + a) + a * (1 + a)) * u};
 }
 
 } // namespace aneurysm::analytic

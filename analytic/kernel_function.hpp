@@ -49,12 +49,12 @@ double exact_gradient_norm(KernelName name, double h);
 ///     What = -3/(h^2 k) d/dk sinc^4(k h/2) = 3 sin^3(x) (sin x - x cos x) / x^6,   x = k h/2,
 ///
 /// and for Wendland's the sine transform of its polynomial by repeated integration by parts. Below k h = 1
-/// the series sum_n (-1)^n k^2n <r^2n> / (2n + 1)! replaces both, where they cancel; the error is below 1e-12
-/// everywhere.
-double kernel_transform(KernelName name, double h, double k);
+/// the series sum_n (-1)^n k^2n <r^2n> / (2n + 1)! replaces both, where they cancel. The error is that of
+/// rounding.
+Estimate kernel_transform(KernelName name, double h, double k);
 
 /// Fourier transform of the viscosity Laplacian, [1/m^2]: 180/(H^6 k^4) (2 - 2 cos kH - kH sin kH); 15/H^2 at
 /// k = 0.
-double viscosity_transform(double H, double k);
+Estimate viscosity_transform(double H, double k);
 
 } // namespace aneurysm::analytic

@@ -178,19 +178,27 @@ Estimate kernel_sum_by_poisson(const Lattice& l)
     constexpr int M = 200;
     const std::vector<double> counts = sums_of_three_squares(M * M);
     double sum = 0;
+    double error = 0;
     for (std::size_t s = counts.size(); s-- > 0;) { // the small terms first
-        sum += counts[s] * kernel_transform(l.kernel, l.h, 2 * pi / l.dx * std::sqrt(static_cast<double>(s)));
+        const double k = 2 * pi / l.dx * std::sqrt(static_cast<double>(s));
+        const Estimate What = kernel_transform(l.kernel, l.h, k);
+        sum += counts[s] * What.value;
+        error += counts[s] * What.error;
     }
-    return {sum / l.cell(), tail(l, 0, M) / l.cell()};
+    return {sum / l.cell(), (error + tail(l, 0, M)) / l.cell()};
 }
 
 VectorEstimate gradient_sum_by_poisson(const Lattice& l, const Vector3d& k)
 {
     constexpr int M = 40;
     Vector3d sum = Vector3d::Zero();
-    for_reciprocal_points(l, k, M,
-                          [&](const Vector3d& q) { sum -= q * kernel_transform(l.kernel, l.h, q.norm()); });
-    return {sum / l.cell(), tail(l, 1, M) / l.cell()};
+    double error = 0;
+    for_reciprocal_points(l, k, M, [&](const Vector3d& q) {
+        const Estimate What = kernel_transform(l.kernel, l.h, q.norm());
+        sum -= q * What.value;
+        error += q.norm() * What.error;
+    });
+    return {sum / l.cell(), (error + tail(l, 1, M)) / l.cell()};
 }
 
 Estimate viscosity_sum_by_poisson(const Lattice& l, const Vector3d& k)
@@ -204,7 +212,7 @@ Estimate viscosity_sum_by_poisson(const Lattice& l, const Vector3d& k)
     double smoothed = 0;
     double magnitude = 0;
     const auto damped = [&](const Vector3d& q) {
-        return viscosity_transform(H, q.norm()) * std::exp(-eps * eps * q.squaredNorm() / 2);
+        return viscosity_transform(H, q.norm()).value * std::exp(-eps * eps * q.squaredNorm() / 2);
     };
     for_reciprocal_points(l, Vector3d::Zero(), M, [&](const Vector3d& q) {
         smoothed += damped(q) - damped(q + k);

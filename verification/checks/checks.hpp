@@ -10,6 +10,7 @@ namespace aneurysm::verification
 // The oracles among themselves
 std::vector<Check> oracle_flow_checks();
 std::vector<Check> oracle_duct_checks();
+std::vector<Check> oracle_lattice_checks();
 std::vector<Check> oracle_row_checks();
 
 // L0
