@@ -1,86 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analytic/lattice_duct.hpp"
 
-#include "analytic/kernel_function.hpp"
-
 #include <gsl/gsl_linalg.h>
-
-#include <numbers>
 
 namespace aneurysm::analytic
 {
 namespace
 {
 
-using Eigen::Vector2d;
 using Eigen::VectorXd;
-using std::numbers::pi;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 constexpr double u = std::numeric_limits<double>::epsilon() / 2;
-
-/// Sum of a kernel over a column, and what it may be off by in another text.
-struct ColumnSum {
-    double value = 0;
-    double of_rounding = 0; ///< per roundoff
-    double of_distance = 0; ///< per displacement
-    double terms = 0;
-
-    void add(double factor, const ColumnSum& sum)
-    {
-        value += factor * sum.value;
-        of_rounding += factor * sum.of_rounding;
-        of_distance += factor * sum.of_distance;
-        terms += sum.terms;
-    }
-};
-
-/// A kernel, its largest value and its steepest slope.
-struct RadialBounds {
-    std::function<double(double)> f;
-    double largest = 0;
-    double steepest = 0;
-};
-
-RadialBounds density_kernel(const Lattice& l)
-{
-    const double at = l.kernel == KernelName::cubic_spline ? 2 * l.h / 3 : l.h / 2;
-    return {[l](double r) { return kernel(l.kernel, l.h, r); }, kernel(l.kernel, l.h, 0),
-            -kernel_slope(l.kernel, l.h, at)};
-}
-
-RadialBounds viscosity_kernel(const Lattice& l)
-{
-    const double H = 2 * l.h;
-    const double at_0 = 45 / (pi * std::pow(H, 5));
-    return {[H, at_0](double r) { return r > 0 ? viscosity_kernel_laplacian(H, r) : at_0; }, at_0, at_0 / H};
-}
-
-/// Sum over the particles of the column at the distance x: n additions and 40 u of each term, 16 u of the
-/// largest value since the kernel cancels near the support's end.
-ColumnSum column_sum(const LatticeDuct& duct, const Vector2d& x, const RadialBounds& f)
-{
-    const double dx = duct.lattice.dx;
-    const double H = 2 * duct.lattice.h;
-    ColumnSum sum;
-    if (x.norm() > H) {
-        return sum;
-    }
-    const int reach = static_cast<int>(std::ceil(H / dx));
-    const int layers = duct.layered ? reach : 0;
-    for (int k = -reach; k <= reach; ++k) {
-        for (int j = -layers; j <= layers; ++j) {
-            const double r = std::hypot(x(0), x(1) + j * dx, k * dx);
-            if (r <= H) {
-                sum.value += f.f(r);
-                ++sum.terms;
-            }
-        }
-    }
-    sum.of_rounding = (sum.terms + 40) * sum.value + 16 * sum.terms * f.largest;
-    sum.of_distance = sum.terms * f.steepest;
-    return sum;
-}
 
 /// Largest |g + A u| over all rows.
 double residual(const Eigen::MatrixXd& A, const VectorXd& velocity, double g)
@@ -106,44 +37,6 @@ VectorXd solve_by_lu(Eigen::MatrixXd A, double g)
 
 } // namespace
 
-double LatticeDuct::mass() const
-{
-    return rho_0 / kernel_sum(lattice).value;
-}
-
-LatticeDuct lattice_channel(const Lattice& lattice, double rho_0, double mu, int rows)
-{
-    LatticeDuct duct{lattice, rho_0, mu, true, true, rows * lattice.dx / 2, {}, {}};
-    const double m = duct.mass();
-    const int behind = static_cast<int>(std::ceil(2 * lattice.h / lattice.dx));
-    for (int j = -behind; j < rows + behind; ++j) {
-        const Column row{{(j + 0.5) * lattice.dx - duct.half_width, 0}, m};
-        (j >= 0 && j < rows ? duct.fluid : duct.ghosts).push_back(row);
-    }
-    return duct;
-}
-
-LatticeDuct lattice_tube(const Lattice& lattice, double rho_0, double mu, double a, double inset)
-{
-    LatticeDuct duct{lattice, rho_0, mu, false, true, a, {}, {}};
-    const double m = duct.mass();
-    const int reach = static_cast<int>(std::ceil((a + 2 * lattice.h) / lattice.dx)) + 1;
-    for (int i = -reach; i < reach; ++i) {
-        for (int k = -reach; k < reach; ++k) {
-            const Vector2d x = lattice.dx * Vector2d(i + 0.5, k + 0.5);
-            const double d = x.norm() - a;
-            const double outside = std::clamp(0.5 + d / lattice.dx, 0.0, 1.0);
-            if (d < -inset) {
-                duct.fluid.push_back({x, m});
-            }
-            if (d < 2 * lattice.h && outside > 0) {
-                duct.ghosts.push_back({x, m * outside});
-            }
-        }
-    }
-    return duct;
-}
-
 double Couplings::largest_sum(const VectorXd& velocity) const
 {
     double largest = 0;
@@ -165,13 +58,13 @@ DuctOperator::DuctOperator(const LatticeDuct& duct)
 
 void DuctOperator::set_density(const LatticeDuct& duct)
 {
-    const RadialBounds W = density_kernel(duct.lattice);
+    const RadialKernel W = density_kernel(duct.lattice);
     density_.resize(static_cast<Eigen::Index>(duct.size()));
     for (std::size_t a = 0; a < duct.size(); ++a) {
         ColumnSum rho;
         for (const auto* columns : {&duct.fluid, &duct.ghosts}) {
             for (const Column& b : *columns) {
-                rho.add(b.mass, column_sum(duct, duct.fluid[a].x - b.x, W));
+                rho.add(b.mass, column_sum(duct, duct.fluid[a].x - b.x, 0, W));
             }
         }
         density_(static_cast<Eigen::Index>(a)) = rho.value;
@@ -183,14 +76,14 @@ void DuctOperator::set_density(const LatticeDuct& duct)
 
 void DuctOperator::set_couplings(const LatticeDuct& duct)
 {
-    const RadialBounds lap_W = viscosity_kernel(duct.lattice);
+    const RadialKernel lap_W = viscosity_kernel(duct.lattice);
     const Eigen::Index n = density_.size();
     A_ = Eigen::MatrixXd::Zero(n, n);
     couplings_ = of_rounding_ = of_distance_ = {A_, VectorXd::Zero(n)};
     for (Eigen::Index a = 0; a < n; ++a) {
         const auto couple = [&](const Column& b, double rho_b, double& coupling, double& rounding,
                                 double& distance) {
-            const ColumnSum sum = column_sum(duct, duct.fluid[static_cast<std::size_t>(a)].x - b.x, lap_W);
+            const ColumnSum sum = column_sum(duct, duct.fluid[static_cast<std::size_t>(a)].x - b.x, 0, lap_W);
             const double factor = duct.mu * b.mass / (density_(a) * rho_b);
             coupling += factor * sum.value;
             // both densities and the mass, and 8 products and quotients

@@ -8,7 +8,7 @@
 // the lattice points k dx of a column. What the particle method makes of the duct is then known to rounding.
 #pragma once
 
-#include "analytic/lattice.hpp"
+#include "analytic/column_sum.hpp"
 
 #include <Eigen/Dense>
 
@@ -17,33 +17,6 @@
 
 namespace aneurysm::analytic
 {
-
-struct Column {
-    Eigen::Vector2d x; ///< in the cross-section [m]
-    double mass = 0;   ///< of each particle [kg]
-};
-
-struct LatticeDuct {
-    Lattice lattice;
-    double rho_0 = 0;      ///< [kg/m^3]
-    double mu = 0;         ///< [Pa s]
-    bool layered = false;  ///< each column stands for a whole plane, x(1) = 0: a channel
-    bool no_slip = true;   ///< else the ghosts have no part in (7)
-    double half_width = 0; ///< a: from the middle to the wall [m]
-    std::vector<Column> fluid;
-    std::vector<Column> ghosts; ///< where a ghost's cell is partly inside, a particle can be at its place
-
-    double mass() const; ///< rho_0 / sum of W over the lattice [kg]
-    double r(std::size_t column) const { return fluid[column].x.norm(); } ///< from the middle [m]
-    std::size_t size() const { return fluid.size(); }
-};
-
-/// Planes of particles at the middles of `rows` cells between the walls.
-LatticeDuct lattice_channel(const Lattice& lattice, double rho_0, double mu, int rows);
-
-/// Columns at ((i + 1/2) dx, (k + 1/2) dx) deeper than `inset` in a circular wall of radius a, and ghosts
-/// with the mass m clamp(1/2 + d/dx, 0, 1) at the distance d < 2 h beyond it.
-LatticeDuct lattice_tube(const Lattice& lattice, double rho_0, double mu, double a, double inset);
 
 /// Numbers by pair of columns, and by column and all of the wall; in the matrix of du/dt times u_b - u_a and
 /// -u_a.

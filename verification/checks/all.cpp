@@ -27,12 +27,15 @@ const std::vector<Check>& all_checks()
     static const std::vector<Check> checks = [] {
         std::vector<Check> all;
         for (const auto& of_subject : {
-                 kernel_function_checks, fluid_checks,          wall_law_checks,       rupture_checks,
-                 growth_checks,          thinning_checks,       bifurcation_checks,    inlet_checks,
-                 outlet_checks,          elastic_wall_checks,   collision_checks,      oracle_flow_checks,
-                 oracle_duct_checks,     oracle_row_checks,     oracle_lattice_checks, operator_checks,
-                 momentum_checks,        pressure_solve_checks, box_flow_checks,       duct_checks,
-                 hydrostatics_checks,    wall_history_checks,   metamorphic_checks,    executor_checks,
+                 kernel_function_checks, fluid_checks,        wall_law_checks,
+                 rupture_checks,         growth_checks,       thinning_checks,
+                 bifurcation_checks,     inlet_checks,        outlet_checks,
+                 elastic_wall_checks,    collision_checks,    oracle_flow_checks,
+                 oracle_duct_checks,     duct_flow_checks,    oracle_row_checks,
+                 oracle_lattice_checks,  operator_checks,     momentum_checks,
+                 pressure_solve_checks,  box_flow_checks,     duct_checks,
+                 hydrostatics_checks,    wall_history_checks, laminar_flow_checks,
+                 taylor_green_checks,    metamorphic_checks,  executor_checks,
              }) {
             std::vector<Check> more = of_subject();
             all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));

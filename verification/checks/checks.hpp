@@ -32,8 +32,12 @@ std::vector<Check> pressure_solve_checks();
 // L2
 std::vector<Check> box_flow_checks();
 std::vector<Check> duct_checks();
+std::vector<Check> duct_flow_checks();
 std::vector<Check> hydrostatics_checks();
 std::vector<Check> wall_history_checks();
+// L3
+std::vector<Check> laminar_flow_checks();
+std::vector<Check> taylor_green_checks();
 // L4
 std::vector<Check> metamorphic_checks();
 // L5

@@ -2,6 +2,8 @@
 // The oracles of ducts on the lattice against one another and against the exact flows.
 #include "analytic/lattice_duct_steps.hpp"
 #include "analytic/lattice_rows.hpp"
+#include "analytic/pair_sums.hpp"
+#include "analytic/sliding_duct.hpp"
 #include "verification/checks/checks.hpp"
 
 #include <cmath>
@@ -18,6 +20,7 @@ using analytic::DuctOperator;
 using analytic::Lattice;
 using analytic::LatticeDuct;
 using analytic::Profile;
+using analytic::SlidingDuct;
 using std::numbers::pi;
 
 constexpr double rho_0 = 1050; ///< [kg/m^3]
@@ -161,6 +164,78 @@ void stepped_ducts(Probe& probe)
     }
 }
 
+/// The rows of a channel in a cube, between walls of six planes of ghosts from one side to the other.
+analytic::Cloud rows_as_cloud(const LatticeDuct& duct, const SlidingDuct& sliding)
+{
+    const int rows = static_cast<int>(duct.size());
+    const int edge = rows + 6;
+    const double dx = duct.lattice.dx;
+    const Eigen::VectorXd rho = sliding.density();
+    analytic::Cloud cloud{duct.lattice.kernel, duct.lattice.h, edge * dx, {}, {}, {}, {}, {}, {}};
+    for (int j = 0; j < edge; ++j) {
+        const bool free = j < rows;
+        for (int n = 0; n < edge * edge; ++n) {
+            cloud.position.emplace_back(dx * (n % edge) + (free ? sliding.slid()(j) : 0), j * dx,
+                                        dx * (n / edge));
+            cloud.velocity.emplace_back(free ? sliding.velocity()(j) : 0, 0, 0);
+            cloud.density.push_back(free ? rho(j) : rho_0);
+        }
+    }
+    cloud.mass.assign(cloud.position.size(), duct.mass());
+    cloud.pressure.assign(cloud.position.size(), 0);
+    cloud.free.assign(cloud.position.size(), true);
+    return cloud;
+}
+
+void slid_ducts(Probe& probe)
+{
+    Quantity& slow =
+        probe.quantity("u of a flow that moves nothing, sliding - frozen columns [m/s / g]", Source::rounding,
+                       "the sliding duct's bound for another text in double, and the frozen one's own");
+    for (const LatticeDuct& duct : {channel(1, 8), channel(1.3, 12), tube(1, 8)}) {
+        constexpr double weak = 0x1p-60;
+        const DuctOperator A(duct);
+        const Drive drive{weak, 20};
+        const double dt = 0.1 * DuctModes(A).largest_step();
+        SlidingDuct sliding(duct);
+        for (int n = 1; n <= 40; ++n) {
+            sliding.step(drive, dt);
+        }
+        const Profile frozen = analytic::step_by_step(A, drive, dt, 40);
+        agree(slow, {sliding.velocity() / weak, sliding.error(rounding(1), width) / weak},
+              {frozen.value / weak, frozen.error / weak}, name(duct));
+    }
+    Quantity& density = probe.quantity("rho of rows that have slid, columns - all pairs [kg/m^3]",
+                                       Source::rounding, "bound of the pair sum's rounding, twice");
+    Quantity& force =
+        probe.quantity("change of u of rows that have slid, columns - all pairs [m/s]", Source::rounding,
+                       "bound of the pair sums' rounding, twice, and of the last step's");
+    const LatticeDuct duct = channel(1, 6);
+    const Drive drive{g, 0};
+    constexpr double dt = 2e-3;
+    SlidingDuct sliding(duct);
+    for (int n = 0; n < 60; ++n) {
+        sliding.step(drive, dt);
+    }
+    const analytic::Cloud cloud = rows_as_cloud(duct, sliding);
+    const Eigen::VectorXd before = sliding.velocity();
+    const Eigen::VectorXd rho = sliding.density();
+    sliding.step(drive, dt);
+    for (std::size_t a = 0; a < duct.size(); ++a) {
+        const auto row = static_cast<Eigen::Index>(a);
+        const std::size_t i = a * (duct.size() + 6) * (duct.size() + 6);
+        const auto rho_a = analytic::pair_density(cloud, i);
+        density.within(rho(row), rho_a.value, 2 * rho_a.error, std::to_string(a));
+        const auto F = analytic::pair_viscosity_force(cloud, mu, i);
+        const double change = dt * (F.value(0) / rho_a.value + g);
+        const double relative = rho_a.error / rho_a.value; // of each of two densities
+        force.within(sliding.velocity()(row) - before(row), change,
+                     dt / rho_a.value * (2 * F.error + 4 * relative * std::abs(F.value(0))) +
+                         rounding(8) * (std::abs(change) + std::abs(before(row))),
+                     std::to_string(a));
+    }
+}
+
 /// (2 nu_eff/g) u + y^2 of the steady flow in a row next to the middle: the square of where it would be 0.
 double squared_zero(const LatticeDuct& duct, double& error)
 {
@@ -236,6 +311,9 @@ std::vector<Check> oracle_duct_checks()
         check("oracle_duct_steps", Level::transient, {"7", "15", "27"},
               "steps on the lattice are the same in closed form and one by one",
               {"gsl_eigen_symmv", "long double"}, stepped_ducts),
+        check("oracle_duct_slides", Level::transient, {"5", "7", "15", "27"},
+              "columns that slide have the frozen ones' flow, and the sums over all pairs",
+              {"sliding columns", "frozen columns", "sums over all pairs"}, slid_ducts),
         check("oracle_duct_limit", Level::continuous, {"7", "15", "27"},
               "the steady flow on the lattice tends to Poiseuille's", {"lattice", "Poiseuille"}, convergence),
     };
