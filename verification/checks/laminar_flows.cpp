@@ -44,7 +44,8 @@ struct Study {
 /// What all studies of a check are compared in.
 struct Ledger {
     explicit Ledger(Probe& probe)
-        : placed(probe.quantity("particles in each column of the lattice", Source::exact, "integers")),
+        : placed(probe.quantity("particles in each column of the lattice", Source::exact,
+                                "integers: cells along the duct, and across it in a channel")),
           pressure(probe.quantity("iterations of the pressure solve", Source::exact,
                                   "none: its tolerance is above all that sliding does to the density")),
           error(probe.quantity("L2 error against the exact flow, found - predicted [1]", Source::rounding,
