@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(an_interrupted_suite_keeps_what_there_is)
     const SuiteResult suite = run_suite(select(checks, true, {}), {{once(), "", ""}}, 1,
                                         [&](std::int64_t, std::int64_t, const std::string&) { ++shown; });
     BOOST_TEST((suite.results[0].verdict == Verdict::holds));
-    for (const std::size_t k : {1, 2}) {
+    for (const std::size_t k : {1U, 2U}) {
         BOOST_TEST((suite.results[k].verdict == Verdict::not_run));
         BOOST_TEST(suite.results[k].message == "interrupted");
     }

@@ -26,6 +26,18 @@ std::string percent(double ratio)
     return ratio < 0 ? "-" : std::isinf(ratio) ? "more than it all" : shown(100 * ratio).append(" %");
 }
 
+/// Which versions that is about.
+std::string who(const SuiteResult& suite)
+{
+    std::string here;
+    std::string missing;
+    for (const SuiteSubject& s : suite.subjects) {
+        std::string& list = s.missing.empty() ? here : missing;
+        list.append(list.empty() ? "" : ", ").append(s.subject.name());
+    }
+    return "Checked: " + here + (missing.empty() ? "." : "; not checked: " + missing + ".");
+}
+
 Markup banner(const SuiteReport& report)
 {
     const SuiteResult& suite = report.suite;
@@ -35,7 +47,7 @@ Markup banner(const SuiteReport& report)
                              : tally(suite).holds == 0 ? "Nothing holds. "
                                                        : "Something fails. ";
     return element("p", {{"class", good ? "verdict holds" : "verdict fails"}}, good ? "✓ " : "✗ ", text,
-                   headline(report.equations), ".")
+                   headline(report.equations), ".", element("div", {{"class", "who"}}, who(suite)))
            << element("p", {{"class", "weak"}}, report.selection, ". ", report.date, ", ",
                       shown(suite.seconds), " s on ", report.machine, ".")
            << "\n";
@@ -110,8 +122,8 @@ Markup levels_table(const SuiteReport& report)
                                << " allowed (" << check_link(*t.where->check) << ", " << t.where->subject
                                << ")";
         }
-        rows << row(cell(level_heading(level)), number_cell(grouped(t.compared)),
-                    number_cell(std::to_string(t.fails)),
+        rows << row(cell(level_heading(level) << element("div", {{"class", "weak"}}, meaning_of(level))),
+                    number_cell(grouped(t.compared)), number_cell(std::to_string(t.fails)),
                     number_cell(percent(median_ratio(report.suite, level))), number_cell(percent(t.ratio)),
                     cell(closest));
     }

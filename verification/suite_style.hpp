@@ -35,6 +35,7 @@ dt { font-weight: 600; margin-top: 0.6rem; } dd { margin-left: 1.2rem; }
 .fails { color: var(--bad); font-weight: 700; }
 .verdict { border: 2px solid currentColor; border-radius: 0.5rem; padding: 0.6rem 1rem; font-size: 1.25rem;
   font-weight: 650; max-width: none; }
+.who { font-size: 1rem; font-weight: 500; }
 .figures { display: flex; flex-wrap: wrap; gap: 0.75rem; margin: 1rem 0; max-width: none; padding: 0; list-style: none; }
 .figures li { background: var(--shade); border-radius: 0.5rem; padding: 0.5rem 1rem; flex: 1 1 11rem; }
 .figures b { display: block; font-size: 1.6rem; line-height: 1.3; }

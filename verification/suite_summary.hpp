@@ -92,7 +92,7 @@ double median_ratio(const SuiteResult& suite, Level level);
 /// Something was compared, and nothing fails.
 bool passed(const SuiteResult& suite);
 /// "29 of 29 equations hold", and which others there are.
-std::string headline(const std::vector<EquationSummary>& equations);
+std::string headline(const std::vector<EquationSummary>& summaries);
 
 /// An error, a bound or a ratio with three digits; "-" for none, which is less than 0
 std::string shown(double x);
