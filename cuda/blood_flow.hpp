@@ -18,17 +18,23 @@ struct Pairs {
     Lanes<Real> m;        ///< m_j [kg]
 };
 
-template <class Real>
+/// In a periodic box by the shortest way. Known beforehand, its loops have no branch.
+template <bool periodic, class Real>
 ANEURYSM_INLINE Pairs<Real> pairs(const Fields<Real>& f, Index i, const Lanes<Index>& j)
 {
     const Row<Real> own = f.body_position[i];
     const RowLanes<Real> other = gather_rows(f.body_position, j);
     Vec3T<Lanes<Real>> x{Lanes<Real>(own.x) - other.x, Lanes<Real>(own.y) - other.y,
                          Lanes<Real>(own.z) - other.z};
-    if (f.c.is_periodic) {
+    if constexpr (periodic) {
         x = shortest(x, f.c.vessel.period());
     }
     return {x, sqrt(dot(x, x)), other.w};
+}
+template <class Real>
+ANEURYSM_INLINE Pairs<Real> pairs(const Fields<Real>& f, Index i, const Lanes<Index>& j)
+{
+    return f.c.is_periodic ? pairs<true>(f, i, j) : pairs<false>(f, i, j);
 }
 
 template <class Real>
@@ -167,28 +173,27 @@ ANEURYSM_HD Vec3T<Real> pressure_force(const Fields<Real>& f, Index i, Real outl
 ///     F_i^viscosity = mu sum_j m_j (v_j - v_i) / rho_j lap W_ij                               [N/m^3]
 ///
 /// over all j but the ghosts of a wall that lets blood slip.
-template <class Real>
+template <bool periodic, class Real>
 ANEURYSM_INLINE Vec3T<Real> viscosity_force(const Fields<Real>& f, Index i, Lane lane)
 {
     using Number = Lanes<Real>;
     const Vec3T<Number> v_i = all_lanes(f.body_velocity[i].vector());
     const Number mu(f.c.mu);
+    const Lanes<Index> slips_from(f.c.slips ? f.c.first_wall() : f.c.bodies());
     Vec3T<Number> force;
     for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
         const Lanes<Index> j = neighbors(f.free, b, lane);
-        const Pairs<Real> pair = pairs(f, i, j);
+        const Pairs<Real> pair = pairs<periodic>(f, i, j);
         const RowLanes<Real> other = gather_rows(f.body_velocity, j); // w: rho_j
         force += fault(eq07_viscosity, mu) * pair.m / fault(eq07_density, other.w) *
                  f.c.kernel.viscosity_laplacian(pair.r) * fault(eq07_difference, other.vector() - v_i);
     }
     for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
         const Lanes<Index> j = neighbors(f.ghosts, b, lane);
-        Pairs<Real> pair = pairs(f, i, j);
-        if (f.c.slips) {
-            pair.m = select(j < Lanes<Index>(f.c.first_wall()), pair.m, Number(0));
-        }
+        const Pairs<Real> pair = pairs<periodic>(f, i, j);
+        const Number m = select(j < slips_from, pair.m, Number(0));
         const Vec3T<Number> v_j = gather_rows(f.body_velocity, j).vector();
-        force += mu * pair.m / Number(f.c.rho_0) * f.c.kernel.viscosity_laplacian(pair.r) *
+        force += mu * m / Number(f.c.rho_0) * f.c.kernel.viscosity_laplacian(pair.r) *
                  fault(eq07_ghosts, v_j - v_i);
     }
     return sum(force, lane);

@@ -19,12 +19,19 @@ struct Densities {
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
+        f.c.is_periodic ? sum_up<true>(i, lane) : sum_up<false>(i, lane);
+    }
+
+private:
+    template <bool periodic>
+    ANEURYSM_INLINE void sum_up(Index i, Lane lane) const
+    {
         using Number = Lanes<Real>;
         Number rho;
         Number squares;
         Vec3T<Number> of_free;
         for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
-            const Pairs<Real> pair = pairs(f, i, neighbors(f.free, b, lane));
+            const Pairs<Real> pair = pairs<periodic>(f, i, neighbors(f.free, b, lane));
             const Vec3T<Number> G = gradient(f, pair);
             rho += density(f, pair);
             of_free += G;
@@ -37,7 +44,7 @@ struct Densities {
         const Number rho_0(f.c.rho_0);
         for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
             const Lanes<Index> j = neighbors(f.ghosts, b, lane);
-            const Pairs<Real> pair = pairs(f, i, j);
+            const Pairs<Real> pair = pairs<periodic>(f, i, j);
             const Vec3T<Number> G = gradient(f, pair);
             const RowLanes<Real> other = gather_rows(f.body_velocity, j); // w: the outlet's pressure
             rho += density(f, pair);
@@ -58,8 +65,6 @@ struct Densities {
             f.force[i] = row(F_outlets, Real(0));
         }
     }
-
-private:
     ANEURYSM_INLINE void keep(const Vec3T<Lanes<Real>>& G, Index b, Lane lane) const
     {
         if (f.gradient != nullptr) {
@@ -78,7 +83,8 @@ struct Forces {
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
-        const Vec3T<Real> F_viscosity = viscosity_force(f, i, lane);
+        const Vec3T<Real> F_viscosity =
+            f.c.is_periodic ? viscosity_force<true>(f, i, lane) : viscosity_force<false>(f, i, lane);
         if (lane.is_first()) {
             const Real rho = f.body_velocity[i].w;
             const bool outlets = f.c.model == PressureModel::dfsph; // else they take part in (6)

@@ -42,10 +42,13 @@ ANEURYSM_INLINE void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, 
     const Index left = x > 2 ? x - 2 : 0;
     const Index behind_right = x + 3 < grid.x_cells ? x + 3 : grid.x_cells;
     for (Index dy = -1; dy <= 1; ++dy) {
+        const Index row_y = periodic ? through_seam(y + dy, grid.y_period) : y + dy;
+        if (row_y < 0 || row_y >= grid.y_cells) {
+            continue;
+        }
         for (Index dz = -1; dz <= 1; ++dz) {
-            const Index row_y = periodic ? through_seam(y + dy, grid.y_period) : y + dy;
             const Index row_z = periodic ? through_seam(z + dz, grid.z_period) : z + dz;
-            if (row_y >= 0 && row_y < grid.y_cells && row_z >= 0 && row_z < grid.z_cells) {
+            if (row_z >= 0 && row_z < grid.z_cells) {
                 const Index first = grid.index(0, row_y, row_z);
                 visit(Range{start[first + left], start[first + behind_right]});
                 if (periodic && grid.x_period > 0) {
@@ -66,11 +69,7 @@ struct Search {
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
-        if (f.c.is_periodic) {
-            search<true>(i, lane);
-        } else {
-            search<false>(i, lane);
-        }
+        f.c.is_periodic ? search<true>(i, lane) : search<false>(i, lane);
     }
 
 private:
