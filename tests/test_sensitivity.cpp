@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(a_check_that_is_red_by_itself_is_left_out_and_fails_the_stu
                                         probe.quantity("q", Source::exact, "never").holds(false);
                                     })};
     const SensitivityStudy study = run_study(checks, {.faults = {in_stress}});
-    BOOST_TEST(unusable(study).size() == 2U);
+    BOOST_TEST(unusable(study).size() == 1U); // in both backends, for the same reason
     BOOST_TEST(!study.rows[0].survives());
     BOOST_CHECK(study.rows[0].cells[1] == Cell::unreached);
     BOOST_TEST(!passed(study));

@@ -104,14 +104,9 @@ std::vector<Job> make_jobs(const std::vector<const Check*>& checks, const std::v
             continue;
         }
         for (const SuiteSubject& s : subjects) {
-            const bool of_flows = check->scope == Scope::flows || check->scope == Scope::backends;
-            if (check->scope == Scope::backends && s.subject.choice.name == "reference") {
-                continue;
-            }
-            const bool has = of_flows || s.subject.equations != nullptr;
-            if (has && s.missing.empty()) {
+            if (looks_at(*check, s.subject) && s.missing.empty()) {
                 jobs.push_back({{.check = check, .subject = s.subject.name()}, &s.subject});
-            } else if (of_flows) {
+            } else if (looks_at(*check, s.subject) && check->scope != Scope::equations) {
                 jobs.push_back(
                     {{.check = check, .subject = s.subject.name(), .message = s.missing}, nullptr});
             }
@@ -212,6 +207,21 @@ std::vector<const Check*> select(const std::vector<Check>& checks, bool full,
         });
     }
     return all;
+}
+
+bool looks_at(const Check& check, const Subject& subject)
+{
+    switch (check.scope) {
+    case Scope::equations:
+        return subject.equations != nullptr;
+    case Scope::flows:
+        return true;
+    case Scope::backends:
+        return subject.choice.name != "reference";
+    case Scope::once:
+        break;
+    }
+    return false;
 }
 
 CheckResult run_check(const Check& check, const Subject& subject)

@@ -48,6 +48,9 @@ struct SuiteResult {
 std::vector<const Check*> select(const std::vector<Check>& checks, bool full,
                                  const std::vector<std::string>& only);
 
+/// Whether the suite runs this check for this subject; none for those of Scope::once.
+bool looks_at(const Check& check, const Subject& subject);
+
 /// Does not throw: what a check throws is its failure.
 CheckResult run_check(const Check& check, const Subject& subject);
 

@@ -38,8 +38,12 @@ FaultTally tally(const SensitivityStudy& study, Side side);
 std::vector<const FaultRow*> survivors(const SensitivityStudy& study);
 /// Checks that no fault turned red.
 std::vector<const Sight*> blind(const SensitivityStudy& study);
-/// Cases that are red or can't be run without any fault.
-std::vector<const BaselineCase*> unusable(const SensitivityStudy& study);
+/// Cases that are red or can't be run without any fault, those with the same reason together.
+struct Unusable {
+    std::string cases{}; ///< by commas
+    std::string why{};
+};
+std::vector<Unusable> unusable(const SensitivityStudy& study);
 /// Checks that compute with no backend, only with oracles.
 std::vector<const Check*> without_backend(const SensitivityStudy& study);
 /// One line of the table of what each check sees; null where it looks at no such backend.

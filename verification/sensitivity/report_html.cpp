@@ -180,8 +180,9 @@ Markup reasons(const std::string& title, const std::vector<std::pair<std::string
 Markup remarks(const SensitivityStudy& study)
 {
     std::vector<std::pair<std::string, std::string_view>> left_out;
-    for (const BaselineCase* c : unusable(study)) {
-        left_out.emplace_back(c->what.name(), c->result.message);
+    const std::vector<Unusable> cases = unusable(study);
+    for (const Unusable& u : cases) {
+        left_out.emplace_back(u.cases, u.why);
     }
     std::vector<std::pair<std::string, std::string_view>> alive;
     for (const FaultRow* r : survivors(study)) {

@@ -75,15 +75,21 @@ std::vector<const Sight*> blind(const SensitivityStudy& study)
     return all;
 }
 
-std::vector<const BaselineCase*> unusable(const SensitivityStudy& study)
+std::vector<Unusable> unusable(const SensitivityStudy& study)
 {
-    std::vector<const BaselineCase*> cases;
+    std::vector<Unusable> all;
     for (const BaselineCase& c : study.baseline) {
-        if (c.result.verdict != Verdict::holds) {
-            cases.push_back(&c);
+        if (c.result.verdict == Verdict::holds) {
+            continue;
+        }
+        const auto known = std::ranges::find(all, c.result.message, &Unusable::why);
+        if (known == all.end()) {
+            all.push_back({c.what.name(), c.result.message});
+        } else {
+            known->cases.append(", ").append(c.what.name());
         }
     }
-    return cases;
+    return all;
 }
 
 std::vector<const Check*> without_backend(const SensitivityStudy& study)

@@ -26,8 +26,8 @@ std::string remarks(const SensitivityStudy& study, const std::string& heading)
         }
     };
     head(!unusable(study).empty(), "Left out: red, or not run, without any fault");
-    for (const BaselineCase* c : unusable(study)) {
-        text << "- " << c->what.name() << ": " << c->result.message << "\n";
+    for (const Unusable& u : unusable(study)) {
+        text << "- " << u.cases << ": " << u.why << "\n";
     }
     head(!survivors(study).empty(), "Faults that no check finds");
     for (const FaultRow* row : survivors(study)) {

@@ -251,7 +251,7 @@ std::vector<BaselineCase> cases_of(const std::vector<const Check*>& checks,
             continue;
         }
         for (const SuiteSubject& s : subjects) {
-            if (check->scope == Scope::flows || s.subject.equations != nullptr) {
+            if (looks_at(*check, s.subject)) {
                 cases.push_back({{check, &s.subject}});
             }
         }
