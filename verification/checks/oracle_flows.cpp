@@ -265,7 +265,7 @@ std::vector<Check> oracle_flow_checks()
               {"closed forms", "GSL quadrature and derivative"}, balances),
         check("oracle_flow_slow", Level::continuous, "a slow pulse is Poiseuille's flow",
               {"Womersley", "Poiseuille"}, slow_pulse),
-        check("oracle_taylor_green", Level::continuous, "Taylor and Green's vortices solve (1) and (3)",
+        check("oracle_vortices", Level::continuous, "Taylor and Green's vortices solve (1) and (3)",
               {"closed form", "GSL derivatives"}, vortices),
     };
 }
