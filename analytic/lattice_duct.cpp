@@ -11,7 +11,6 @@ namespace
 using Eigen::VectorXd;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
-constexpr double u = std::numeric_limits<double>::epsilon() / 2;
 
 /// Largest |g + A u| over all rows.
 double residual(const Eigen::MatrixXd& A, const VectorXd& velocity, double g)

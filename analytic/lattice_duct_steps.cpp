@@ -105,7 +105,7 @@ Profile step_by_step(const DuctOperator& A, const Drive& drive, double dt, int n
         largest = std::max(largest, velocity.cwiseAbs().maxCoeff());
     }
     constexpr double long_u = static_cast<double>(std::numeric_limits<long double>::epsilon()) / 2;
-    const double rows = static_cast<double>(matrix.rows());
+    const auto rows = static_cast<double>(matrix.rows());
     return {velocity.cast<double>(), (2 * (rows + 8) * n * long_u + 2 * u) * static_cast<double>(largest)};
 }
 

@@ -217,7 +217,7 @@ double wall_layer_ratio(const Lattice& l)
     for (int n = 1; n <= m; ++n) {
         const double S = row_sum(l, n, 0, [&](double r, double) { return viscosity_kernel(l, r); });
         for (int k = 1 - n; k < n; ++k) {
-            coefficients[static_cast<std::size_t>(m - 1 + k)] += (n - std::abs(k)) * S;
+            coefficients.at(static_cast<std::size_t>(m + k) - 1) += (n - std::abs(k)) * S;
         }
     }
     while (coefficients.size() > 1 && coefficients.back() < 64 * u * coefficients[coefficients.size() / 2]) {

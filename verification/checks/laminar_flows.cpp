@@ -82,12 +82,17 @@ double exact_size(const Laminar& flow, const analytic::LatticeDuct& lattice, dou
     return std::sqrt(squares / static_cast<double>(lattice.size()));
 }
 
+/// Of a tube an eighth is enough: the rest are mirror images.
 Series profile_of(const Laminar& flow, const analytic::LatticeDuct& lattice, const Eigen::VectorXd& velocity)
 {
     Series series{std::to_string(flow.across) + " cells across", {}, {}, false};
     for (std::size_t a = 0; a < lattice.size(); ++a) {
-        series.x.push_back(flow.section == Section::channel ? lattice.fluid[a].x(0) : lattice.r(a));
-        series.y.push_back(velocity(static_cast<Eigen::Index>(a)));
+        const Eigen::Vector2d& x = lattice.fluid[a].x;
+        const bool plane = flow.section == Section::channel;
+        if (plane || (x(1) >= 0 && x(1) <= x(0))) {
+            series.x.push_back(plane ? x(0) : x.norm());
+            series.y.push_back(velocity(static_cast<Eigen::Index>(a)));
+        }
     }
     return series;
 }

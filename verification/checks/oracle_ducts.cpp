@@ -175,8 +175,8 @@ analytic::Cloud rows_as_cloud(const LatticeDuct& duct, const SlidingDuct& slidin
     for (int j = 0; j < edge; ++j) {
         const bool free = j < rows;
         for (int n = 0; n < edge * edge; ++n) {
-            cloud.position.emplace_back(dx * (n % edge) + (free ? sliding.slid()(j) : 0), j * dx,
-                                        dx * (n / edge));
+            const int k = n / edge;
+            cloud.position.emplace_back(dx * (n % edge) + (free ? sliding.slid()(j) : 0), j * dx, k * dx);
             cloud.velocity.emplace_back(free ? sliding.velocity()(j) : 0, 0, 0);
             cloud.density.push_back(free ? rho(j) : rho_0);
         }

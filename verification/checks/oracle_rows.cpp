@@ -72,7 +72,8 @@ analytic::Cloud rows_as_cloud(const analytic::RowColumn& column, const analytic:
     for (int j = 0; j < edge; ++j) {
         const bool free = j < column.rows;
         for (int n = 0; n < edge * edge; ++n) {
-            cloud.position.push_back(l.dx * Eigen::Vector3d(n % edge, j, n / edge));
+            const int k = n / edge;
+            cloud.position.emplace_back(l.dx * Eigen::Vector3d(n % edge, j, k));
             cloud.velocity.emplace_back(0, free ? solved.velocity(j) : 0, 0);
             cloud.mass.push_back(column.rho_0 / analytic::kernel_sum(l).value);
             cloud.density.push_back(column.rho_0);
@@ -99,10 +100,10 @@ void pressed_rows(Probe& probe)
             const analytic::RowColumn column{lattice(ratio, 1.0 / 64), rho_0, rows};
             const analytic::RowPressure solved = analytic::row_pressure(column, falling, dt);
             const analytic::Cloud cloud = rows_as_cloud(column, solved);
-            const std::size_t plane = static_cast<std::size_t>((rows + 6) * (rows + 6));
+            const auto edge = static_cast<std::size_t>(rows) + 6;
             const std::string where = std::to_string(rows) + " rows, h/dx " + std::to_string(ratio);
             for (int j = 0; j < rows; ++j) {
-                const std::size_t i = static_cast<std::size_t>(j) * plane;
+                const std::size_t i = static_cast<std::size_t>(j) * edge * edge;
                 const auto a = analytic::pair_pressure_acceleration(cloud, rho_0, i);
                 const auto D = analytic::pair_density_rate(cloud, i);
                 velocity.within(falling + dt * a.value(1), solved.velocity(j),
