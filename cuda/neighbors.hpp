@@ -63,35 +63,29 @@ ANEURYSM_INLINE void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, 
 
 /// Free and ghost neighbours of sorted particle i, itself left out, in the order of bodies: counted, or
 /// written into its lists.
-template <class Real, bool fill>
+template <class Real, bool fill, bool periodic>
 struct Search {
     Fields<Real> f;
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
-        f.c.is_periodic ? search<true>(i, lane) : search<false>(i, lane);
-    }
-
-private:
-    template <bool periodic>
-    ANEURYSM_INLINE void search(Index i, Lane lane) const
-    {
         const Vec3T<Real> r = f.body_position[i].vector();
         const Index cells = f.c.grid.cells();
         Hits<fill> hits(fill ? f.free.body + lane_count * f.free.begin[i] : nullptr);
-        collect<periodic>(i, r, f.start, 0, hits, lane);
+        collect(i, r, f.start, 0, hits, lane);
         finish(f.free, i, hits, lane);
 
         Hits<fill> ghosts(fill ? f.ghosts.body + lane_count * f.ghosts.begin[i] : nullptr);
         if (f.has(r, near_opening)) {
-            collect<periodic>(i, r, f.start + cells, 0, ghosts, lane);
+            collect(i, r, f.start + cells, 0, ghosts, lane);
         }
         if (f.has(r, near_wall)) {
-            collect<periodic>(i, r, f.wall_start, f.c.first_wall(), ghosts, lane);
+            collect(i, r, f.wall_start, f.c.first_wall(), ghosts, lane);
         }
         finish(f.ghosts, i, ghosts, lane);
     }
-    template <bool periodic>
+
+private:
     ANEURYSM_HD void collect(Index i, const Vec3T<Real>& r, const Index* start, Index first, Hits<fill>& hits,
                              Lane lane) const
     {

@@ -86,11 +86,7 @@ public:
         executor_->find_starts(n_, f.sorted_key, f.start, 2 * f.c.grid.cells() + 1);
         executor_->for_each(n_, SortBodies<Real>{f});
         executor_->mark("sort");
-        executor_->for_each_group(free_of(f), Search<Real, false>{f});
-        executor_->scan(free_of(f), f.free.blocks, f.free.begin);
-        executor_->scan(free_of(f), f.ghosts.blocks, f.ghosts.begin);
-        executor_->once(CheckLists<Real>{f});
-        executor_->for_each_group(free_of(f), Search<Real, true>{f});
+        f.c.is_periodic ? make_lists<true>(f) : make_lists<false>(f);
         executor_->mark("neighbours");
     }
 
@@ -133,6 +129,16 @@ private:
     void reduce(Extent extent, const Map& map, Buffer<Value, Executor>& out)
     {
         executor_->reduce(extent, map, sums_.template space<Value>(), out.get());
+    }
+
+    template <bool periodic>
+    void make_lists(const F& f)
+    {
+        executor_->for_each_group(free_of(f), Search<Real, false, periodic>{f});
+        executor_->scan(free_of(f), f.free.blocks, f.free.begin);
+        executor_->scan(free_of(f), f.ghosts.blocks, f.ghosts.begin);
+        executor_->once(CheckLists<Real>{f});
+        executor_->for_each_group(free_of(f), Search<Real, true, periodic>{f});
     }
 
     void drive_openings(const F& f)
