@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The decaying vortices of Taylor and Green (Proc. R. Soc. A 158, 1937) in the plane, an exact solution of (1)
-// and (3) with convection:
+// The decaying vortices of Taylor and Green (Proc. R. Soc. A 158, 1937) in the plane, an exact solution of
+// (1) and (3) with convection:
 //
 //     u = U F sin(k x) cos(k y),   v = -U F cos(k x) sin(k y),   F = exp(-2 nu k^2 t)
 //     p = rho U^2 F^2/4 (cos 2 k x + cos 2 k y) + const
