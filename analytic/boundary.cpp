@@ -4,9 +4,12 @@
 #include "analytic/kernel_function.hpp"
 
 #include <gsl/gsl_interp.h>
+#include <gsl/gsl_poly.h>
 #include <gsl/gsl_sf_erf.h>
 #include <gsl/gsl_sf_trig.h>
 
+#include <array>
+#include <complex>
 #include <numbers>
 
 namespace aneurysm::analytic
@@ -180,6 +183,45 @@ double step_invariant(const Oscillator& wall, double F, double dt, double displa
     const double x = displaced - F / wall.k;
     const double w2 = wall.k / wall.m;
     return (v * v + w2 * x * x - dt * w2 * x * v) / 2;
+}
+
+Estimate wall_with_column(const Oscillator& wall, double M, double F, double dt, int n)
+{
+    using Long = long double;
+    using Complex = std::complex<Long>;
+    const Long mu = static_cast<Long>(M) / wall.m;
+    const Long stiffness = static_cast<Long>(wall.k) * dt * dt / wall.m;
+    std::array<gsl_complex, 3> root{};
+    gsl_poly_complex_solve_cubic(static_cast<double>(mu - 2 + stiffness), static_cast<double>(1 - 2 * mu),
+                                 M / wall.m, root.data(), &root[1], &root[2]);
+    std::array<Complex, 3> z;
+    for (std::size_t j = 0; j < 3; ++j) {
+        z.at(j) = {GSL_REAL(root.at(j)), GSL_IMAG(root.at(j))};
+        for (int newton = 0; newton < 4; ++newton) {
+            const Complex w = z.at(j);
+            const Complex off = w - Long(1);
+            const Complex p = off * off * (w + mu) + stiffness * w * w;
+            z.at(j) -= p / (Long(2) * off * (w + mu) + off * off + Long(2) * stiffness * w);
+        }
+    }
+    Complex sum = 0;
+    Long size = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+        Complex term = std::pow(z.at(j), n + 2);
+        for (std::size_t other = 0; other < 3; ++other) {
+            term *= other == j ? Complex(1) : (Long(1) - z.at(other)) / (z.at(j) - z.at(other));
+        }
+        sum += term;
+        size += std::abs(term);
+    }
+    const Long rest = static_cast<Long>(F) / wall.k;
+    // a root is off by 32 long u over its distance to the others, theta; z^n by n times that, each quotient
+    // by 2/theta times
+    const double theta = std::sqrt(wall.k / (wall.m + M)) * dt;
+    const double of_roots = 32 * u / 2048 / theta * (n + 8 / theta);
+    return {static_cast<double>(rest * (1 - sum.real())),
+            static_cast<double>(std::abs(rest) * size) * (of_roots + (n + 16) * u / 2048) +
+                2 * u * static_cast<double>(std::abs(rest) * (1 + size))};
 }
 
 Eigen::Vector3d mirrored(const Eigen::Vector3d& v, const Eigen::Vector3d& n)

@@ -77,6 +77,15 @@ Estimate displacement_after_steps(const Oscillator& wall, double F, double G, do
 /// Eq. (28)  v^2/2 + w^2 x^2/2 - dt/2 w^2 x v, x = displaced - F/k: what those steps conserve [m^2/s^2].
 double step_invariant(const Oscillator& wall, double F, double dt, double displaced, double v);
 
+/// Eq. (28)  The wall that carries a column of blood of mass M, from rest under F: in each step the column
+/// answers with -M times the wall's last change of velocity over dt. With x = u - F/k = z^n,
+///
+///     (z - 1)^2 (m z + M) + k dt^2 z^2 = 0
+///
+/// whose roots by GSL, with Newton's method in long double, give u_n by Lagrange's formula for x_0 = x_-1 =
+/// x_-2 = -F/k. M < m, else the steps grow.
+Estimate wall_with_column(const Oscillator& wall, double M, double F, double dt, int n);
+
 /// Fig. 1  The velocity mirrored at the tangential plane: (I - 2 n n^T) v [m/s].
 Eigen::Vector3d mirrored(const Eigen::Vector3d& v, const Eigen::Vector3d& n);
 

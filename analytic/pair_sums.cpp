@@ -181,4 +181,15 @@ Estimate pair_dfsph_factor(const Cloud& c, std::size_t i)
     return {1 / denominator, (error / denominator + 8 * u) / denominator};
 }
 
+std::vector<std::size_t> pair_neighbors(const Cloud& c, std::size_t i)
+{
+    std::vector<std::size_t> all;
+    for (std::size_t j = 0; j < c.position.size(); ++j) {
+        if (j != i && difference(c, c.position[i], c.position[j]).norm() < 2 * c.h) {
+            all.push_back(j);
+        }
+    }
+    return all;
+}
+
 } // namespace aneurysm::analytic

@@ -50,4 +50,7 @@ VectorEstimate pair_pressure_acceleration(const Cloud& cloud, double rho_0, std:
 /// Eq. (3)  1/(|sum_j m_j grad W_ij|^2 + sum_{j free} |m_j grad W_ij|^2) [m^8/kg^2].
 Estimate pair_dfsph_factor(const Cloud& cloud, std::size_t i);
 
+/// Who is within the support of i, itself left out.
+std::vector<std::size_t> pair_neighbors(const Cloud& cloud, std::size_t i);
+
 } // namespace aneurysm::analytic

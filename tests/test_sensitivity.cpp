@@ -5,8 +5,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <string>
 
 using namespace aneurysm;
@@ -143,6 +145,28 @@ BOOST_AUTO_TEST_CASE(each_equation_has_five_faults_in_each_backend)
         }
         BOOST_TEST(faults[std::string(backend) + " EOS"] >= 5);
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_daily_faults_are_24_of_every_kind_in_both_backends)
+{
+    const std::vector<Fault> all = all_faults();
+    std::map<std::string, int> sides;
+    std::set<faults::Kind> kinds;
+    std::set<std::string> names;
+    std::set<std::string> equations{"1", "15", "5", "6", "21"}; // through those that use or feed them
+    for (const Fault& fault : daily_faults()) {
+        BOOST_TEST(std::ranges::any_of(all, [&](const Fault& f) { return name_of(f) == name_of(fault); }),
+                   name_of(fault));
+        ++sides[name_of(fault.side)];
+        kinds.insert(fault.kind);
+        names.insert(name_of(fault));
+        equations.insert(equation_of(fault.place));
+    }
+    BOOST_TEST(names.size() == 24U);
+    BOOST_TEST(sides["reference"] == 12);
+    BOOST_TEST(sides["cpu"] == 12);
+    BOOST_TEST(kinds.size() == 5U);
+    BOOST_TEST(equations.size() == 29U); // (1) to (28), and the equation of state
 }
 
 BOOST_AUTO_TEST_CASE(reports_name_what_went_unnoticed)

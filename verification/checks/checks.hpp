@@ -24,13 +24,16 @@ std::vector<Check> kernel_function_checks();
 std::vector<Check> outlet_checks();
 std::vector<Check> rupture_checks();
 std::vector<Check> thinning_checks();
+std::vector<Check> vessel_shape_checks();
 std::vector<Check> wall_law_checks();
 // L1
 std::vector<Check> operator_checks();
 std::vector<Check> momentum_checks();
+std::vector<Check> neighborhood_checks();
 std::vector<Check> pressure_solve_checks();
 // L2
 std::vector<Check> box_flow_checks();
+std::vector<Check> containment_checks();
 std::vector<Check> duct_checks();
 std::vector<Check> duct_flow_checks();
 std::vector<Check> hydrostatics_checks();
@@ -40,6 +43,7 @@ std::vector<Check> laminar_flow_checks();
 std::vector<Check> taylor_green_checks();
 // L4
 std::vector<Check> metamorphic_checks();
+std::vector<Check> same_run_checks();
 // L5
 std::vector<Check> executor_checks();
 

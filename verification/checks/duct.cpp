@@ -46,11 +46,24 @@ void duct(Probe& probe)
         "(3) keeps the volume: between two frames the duct holds rho_0 V within its density error, whose "
         "mean is at most the "
         "recorded largest one, and half a layer at each end that is counted whole or not at all");
+    Quantity& passed = probe.quantity(
+        "particles that have passed the middle of the duct, against the inlet's way", Source::truncation,
+        "what is between holds its volume: half the duct's particles times the largest density error, half a "
+        "layer at the inlet, and in the middle one layer that lies on it");
     Plot plot{"Blood between an inlet and an outlet", "frame", "velocity [m/s]", false, false, {}};
     Series inlet{"inlet, (25)", {}, {}, true};
     Series blood{"blood in the middle", {}, {}, false};
     const auto flow = probe.simulate(s);
     const auto first = std::ranges::count(flow->state().particles.kind, Kind::fluid);
+    const auto upstream = [&] {
+        const Particles& p = flow->state().particles;
+        std::int64_t n = 0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            n += p.kind[i] == Kind::fluid && p.position[i].y < L / 2 ? 1 : 0;
+        }
+        return n;
+    };
+    const std::int64_t first_upstream = upstream();
     double largest_gap = 0;
     for (std::int64_t n = 1; n <= 380; ++n) { // the inflow; as it turns, the outlet's layers meet at random
         const FrameRecord r = flow->advance();
@@ -62,6 +75,10 @@ void duct(Probe& probe)
         const double density = std::max(r.density_error_max, r.density_error_max_ends);
         stored.within(static_cast<double>(r.fluid), static_cast<double>(first),
                       static_cast<double>(first) * density + static_cast<double>(layer), where);
+        const auto way = static_cast<double>(layer) * inlet_way(s, n) / dx;
+        passed.within(static_cast<double>(r.ledger.inlet_in - (upstream() - first_upstream)), way,
+                      static_cast<double>(first_upstream) * density + 1.5 * static_cast<double>(layer),
+                      where);
         double v = 0;
         double count = 0;
         const Particles& p = flow->state().particles;

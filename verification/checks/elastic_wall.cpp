@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace aneurysm::verification
 {
@@ -159,6 +160,78 @@ void eq28_order(Probe& probe)
     }
 }
 
+/// The wall with a column of mass M from rest, and what n steps' rounding makes of u.
+struct Carried {
+    std::vector<double> u; ///< after 0, 1, ... steps [m]
+    double rounding = 0;   ///< of the last [m]
+};
+
+/// Displacements after 0 to n steps from u_0, v_0, when the column's last velocity was `before`.
+std::vector<double> carry(const Equations& equations, double M, double F, double dt, WallMotion state,
+                          double before, int n)
+{
+    std::vector<double> u{state.u};
+    for (int k = 0; k < n; ++k) {
+        const double column = M * (state.v - before) / dt;
+        before = state.v;
+        state = equations.advance_elastic_wall(state, F - column, wall.k, wall.m, dt);
+        u.push_back(state.u);
+    }
+    return u;
+}
+
+Carried carried(const Equations& equations, double M, double F, double dt, int n)
+{
+    Carried result{carry(equations, M, F, dt, {}, 0, n)};
+    const double A = 2 * F / wall.k; // it swings from 0 to there
+    const double V = A * wall.frequency();
+    const double of_v = rounding(7) * dt / wall.m * (F + wall.k * A + M * F / wall.m) + rounding(1) * V;
+    const double of_u = rounding(2) * (A + dt * V);
+    for (const double x : carry(equations, M, 0, dt, {0, 1}, 0, n)) {
+        result.rounding += of_v * std::abs(x);
+    }
+    for (const double x : carry(equations, M, 0, dt, {1, 0}, 0, n)) {
+        result.rounding += of_u * std::abs(x);
+    }
+    return result;
+}
+
+/// The wall pushes a column of blood, whose mass it then has, too.
+void eq28_column(Probe& probe)
+{
+    Quantity& motion = probe.quantity(
+        "u of a wall with a column after n steps [m]", Source::rounding,
+        "each step's rounding of u, gamma_2, and of v, gamma_7 of the forces over m and gamma_1 of v, times "
+        "what a unit of each becomes in the steps that follow, summed; + the oracle's own error");
+    Quantity& frequency = probe.quantity(
+        "(theta/e - 1)/e^2 less its leading term, e = dt sqrt(k/(m + M)) [1]", Source::truncation,
+        "two-sided: the steps' angle is theta = e (1 + (1/12 + r/2 - 5 r^2/4) e^2/2 + ...), r = M/(m + M), "
+        "the "
+        "next coefficient is below 1/12; the angle by three differences of u, each off by the rounding of u, "
+        "over e^3");
+    const double F = 1.3;
+    const double M = wall.m / 2;
+    const double r = M / (wall.m + M);
+    for (const double dt : {4e-3, 2e-3, 1e-3}) {
+        const int n = static_cast<int>(std::lround(0.4 / dt));
+        const Carried found = carried(probe.equations(), M, F, dt, n);
+        const Estimate exact = analytic::wall_with_column(wall, M, F, dt, n);
+        motion.within(found.u.back(), exact.value, exact.error + found.rounding, at({{"dt", dt}}));
+
+        // x_n+1 + q x_n-1 = p x_n twice, p = 2 |z| cos theta, q = |z|^2: the column's own root has died out
+        const auto x = [&](int back) { return found.u[static_cast<std::size_t>(n - back)] - F / wall.k; };
+        const double determinant = x(1) * x(3) - x(2) * x(2);
+        const double p = (x(0) * x(3) - x(1) * x(2)) / determinant;
+        const double q = (x(0) * x(2) - x(1) * x(1)) / determinant;
+        const double theta = std::acos(p / (2 * std::sqrt(q)));
+        const double e = dt * std::sqrt(wall.k / (wall.m + M));
+        const double leading = (1.0 / 12 + r / 2 - 5 * r * r / 4) / 2;
+        const double swing = std::sqrt(std::abs(determinant)) / e;
+        frequency.within((theta / e - 1) / (e * e), leading,
+                         e * e / 12 + 16 * found.rounding / swing / std::pow(e, 5), at({{"dt", dt}}));
+    }
+}
+
 void eq28_oracles(Probe& probe)
 {
     Quantity& response = probe.quantity("closed forms of the motion against Duhamel's integral, over A [1]",
@@ -237,6 +310,12 @@ std::vector<Check> elastic_wall_checks()
          .title = "the steps miss the motion by their first order, no more and no less",
          .oracles = {"closed form under a constant force", "closed form of the driven motion"},
          .run = eq28_order},
+        {.id = "eq28_column",
+         .equations = {"28"},
+         .title = "a wall that pushes a column of blood swings with the mass of both",
+         .oracles = {"roots of the steps' characteristic polynomial (GSL)",
+                     "frequency sqrt(k/(m + M)) with its next term"},
+         .run = eq28_column},
         {.id = "eq28_oracles",
          .equations = {"28"},
          .title = "the closed forms of the motion answer the force as they must, and that of the steps tends "

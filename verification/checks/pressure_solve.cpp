@@ -349,6 +349,43 @@ void solves_a_cloud(Probe& probe)
     mean.within(residual, 0, s.pressure.tolerance_per_s + error);
 }
 
+/// A solve goes on from the pressures that it is given; blood without one starts from its neighbours' mean.
+void start_of_the_solve(Probe& probe)
+{
+    Quantity& known = probe.quantity("pressures that the solve starts from [Pa]", Source::exact,
+                                     "bits: as they were given, where no iteration is made");
+    Quantity& mean = probe.quantity("pressures of blood that had none [Pa]", Source::rounding,
+                                    "gamma_n of a mean of n pressures >= 0; 0 where no neighbour has one");
+    Scenario s = box_scenario();
+    s.pressure.tolerance_per_s = never;
+    s.pressure.max_tolerance_per_s = never;
+    s.fluid.viscosity_pa_s = 0;
+    Box box(probe, s);
+    box.disturb(0.2, 0, 2447);
+    std::vector<double>& given = box.state().particles.pressure;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        given[i] = i % 3 == 0 || i < 128 ? -1 : static_cast<double>(1 + i * i % 1021); // -1: none
+    }
+    const auto flow = probe.simulate(s, box.state());
+    flow->advance();
+    const auto cloud = box.cloud(box.state(), flow->density());
+    for (std::size_t i = 0; i < box.size(); ++i) {
+        const std::string where = "particle " + std::to_string(i);
+        if (given[i] >= 0) {
+            known.within(flow->solved_pressure()[i], given[i], 0, where);
+            continue;
+        }
+        double sum = 0;
+        double n = 0;
+        for (const std::size_t j : analytic::pair_neighbors(cloud, i)) {
+            sum += given[j] >= 0 ? given[j] : 0;
+            n += given[j] >= 0 ? 1 : 0;
+        }
+        const double expected = n > 0 ? sum / n : 0;
+        mean.within(flow->solved_pressure()[i], expected, probe.gamma(n + 2) * expected, where);
+    }
+}
+
 } // namespace
 
 std::vector<Check> pressure_solve_checks()
@@ -374,6 +411,8 @@ std::vector<Check> pressure_solve_checks()
               {"largest eigenvalue by search over the Brillouin zone (gsl_multimin)"}, relaxation_limit),
         check("eq03_density_part", "the density's part of (3) is beta times its error over the step",
               {"brute force over all pairs"}, density_part),
+        check("eq03_start", "a solve starts from the last step's pressures, or from the neighbours' mean",
+              {"the pressures given", "brute force over all pairs"}, start_of_the_solve),
         check("eq03_cloud",
               "a disturbed cloud's solution obeys (3), pulls nowhere and moves the blood by its pressure",
               {"brute force over all pairs"}, solves_a_cloud),

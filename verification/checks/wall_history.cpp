@@ -9,6 +9,7 @@
 #include "verification/scenarios.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -64,6 +65,14 @@ void check_phases(Probe& probe, const History& run)
         "frame, R and F_b against P_c");
     Quantity& at_rest = probe.quantity("wall in the warm-up", Source::exact,
                                        "bits: R, h and u keep their first values until the warm-up ends");
+    Quantity& start =
+        probe.quantity("R and h of frame 0 [m]", Source::rounding,
+                       "gamma_1, for either text: a ratio of the scenario times the artery's radius");
+    const double r_0 = run.scenario.vessel.radius_m;
+    const double R_0 = run.scenario.aneurysm.initial_radius_radii * r_0;
+    const double h_0 = run.scenario.rupture.thickness_ratio * r_0;
+    start.within(run.R_0(), R_0, rounding(2) * R_0, "R");
+    start.within(run.h_0(), h_0, rounding(2) * h_0, "h");
     bool ruptured = false;
     double R = run.R_0();
     for (const FrameRecord& r : run.frames) {
@@ -202,10 +211,40 @@ void bookkeeping(Probe& probe)
     Quantity& inlet = probe.quantity(
         "inlet velocity [m/s]", Source::rounding,
         "gamma_4 of the phase 2 pi t/T times v_0, gamma_4 of the velocity, and the oracle's own bound");
+    Quantity& entered = probe.quantity("blood that has just come in and has a pressure", Source::exact,
+                                       "integers: none; its ghost's pressure isn't its own");
     const Scenario s = shipped_scenario("quick");
-    const History history = run(probe, s, 180);
-    const auto first = std::ranges::count(history.start.particles.kind, Kind::fluid);
-    for (const FrameRecord& r : history.frames) {
+    Quantity& reserve = probe.quantity("change of the reserve in a frame", Source::exact,
+                                       "integers: what was recycled, less what came in, each of which takes "
+                                       "one, plus what found none; frames "
+                                       "in which a slab turns inwards and is put back are left out");
+    const auto flow = probe.simulate(s);
+    const auto first = std::ranges::count(flow->state().particles.kind, Kind::fluid);
+    FrameRecord last;
+    last.inlet_velocity = 0;
+    for (int n = 0; n < 180; ++n) {
+        const std::vector<Kind> before = flow->state().particles.kind;
+        const std::array<double, 2> outlets = flow->state().outlet_velocity;
+        const FrameRecord r = flow->advance();
+        const Particles& p = flow->state().particles;
+        const auto turns = [&](std::size_t k) {
+            return outlets.at(k) >= 0 && flow->state().outlet_velocity.at(k) < 0;
+        };
+        if (!(last.inlet_velocity < 0 && r.inlet_velocity >= 0) && !turns(0) && !turns(1)) {
+            const Ledger& a = last.ledger;
+            const Ledger& b = r.ledger;
+            reserve.equal(std::ranges::count(p.kind, Kind::reserve) -
+                              std::ranges::count(before, Kind::reserve),
+                          b.recycled - a.recycled - (b.inlet_in - a.inlet_in) - (b.outlet_in - a.outlet_in) +
+                              (b.missed - a.missed),
+                          frame(r));
+        }
+        last = r;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (before[i] != Kind::fluid && p.kind[i] == Kind::fluid) {
+                entered.equal(p.pressure[i] < 0 ? 0 : 1, 0, frame(r));
+            }
+        }
         const Ledger& l = r.ledger;
         number.equal(r.fluid, first + l.inlet_in - l.inlet_out + l.outlet_in - l.outlet_out - l.escaped,
                      frame(r));

@@ -14,11 +14,11 @@ namespace aneurysm::verification
 namespace
 {
 
-constexpr double grace_s = 10; ///< CPU time that any trial may take [s]
-constexpr double patience = 5; ///< and how many times what the case takes without a fault
-constexpr double costly_s = 1; ///< a case that takes longer isn't tried with every fault
-constexpr int finest = 52;     ///< the smallest fault is 2^-52, one unit in the last place
-constexpr int coarsest = 0;    ///< and the largest 1
+constexpr double grace_s = 3;    ///< CPU time that any trial may take [s]
+constexpr double patience = 3;   ///< and how many times what the case takes without a fault
+constexpr double costly_s = 0.2; ///< a case that takes longer isn't tried with every fault
+constexpr int finest = 52;       ///< the smallest fault is 2^-52, one unit in the last place
+constexpr int coarsest = 0;      ///< and the largest 1
 
 /// Whether faults of `side` are first looked for with this subject.
 bool is_own(const Case& c, Side side)
@@ -126,12 +126,16 @@ private:
     }
 
     /// Whether a full study tries this case, found or not: all that look at the backend and list the
-    /// equation, and one flow. Costly ones see the faults in coefficients only, which are the hardest to see.
+    /// equation, and one flow. Costly ones are tried with one kind of fault only: those in coefficients,
+    /// which are the hardest to see; a metamorphic relation, which holds whatever a coefficient is, with
+    /// wrong powers.
     static bool is_wanted(const BaselineCase& c, const Fault& fault, bool flow_tried)
     {
         const bool flow = c.what.check->level >= Level::transient;
         const bool of_equation = lists(*c.what.check, fault.place) || (flow && !flow_tried);
-        const bool affordable = c.result.seconds < costly_s || fault.kind == faults::Kind::coefficient;
+        const bool relation = c.what.check->level == Level::metamorphic;
+        const faults::Kind kind = relation ? faults::Kind::power : faults::Kind::coefficient;
+        const bool affordable = c.result.seconds < costly_s || fault.kind == kind;
         return is_own(c.what, fault.side) && of_equation && affordable;
     }
 
@@ -204,13 +208,16 @@ private:
         sight.argument = argument_for(*sight.check, sight.side);
     }
 
-    /// Wrong signs at all places that the check computes with, until one turns it red.
+    /// Wrong signs, then wrong powers and values from before, at all places that the check computes with,
+    /// until one turns it red.
     void look_everywhere(Sight& sight, const BaselineCase& c, Turn& turn)
     {
-        for (std::size_t k = 0; k < place_count && !sight.sees; ++k) {
-            const auto place = static_cast<Place>(k);
-            if (reaches(c, sight.side, place)) {
-                sight.sees = tried(c, {place, sight.side, faults::Kind::sign, fault_size}, turn).red();
+        for (const faults::Kind kind : {faults::Kind::sign, faults::Kind::power, faults::Kind::off_by_one}) {
+            for (std::size_t k = 0; k < place_count && !sight.sees; ++k) {
+                const auto place = static_cast<Place>(k);
+                if (reaches(c, sight.side, place)) {
+                    sight.sees = tried(c, {place, sight.side, kind, fault_size}, turn).red();
+                }
             }
         }
     }
