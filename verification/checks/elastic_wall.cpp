@@ -54,7 +54,7 @@ void eq28_step(Probe& probe)
     Quantity& force = probe.quantity(
         "F - k u - m d^2u/dt^2 of three displacements, 50 digits, over |F| + k |u| [1]", Source::rounding,
         "gamma_4 (|F| + k |u|) for the four operations of v'; m/dt^2 times u of each new displacement and of "
-        "each product dt v, and gamma_2 of dt v'");
+        "each product dt v, and gamma_2 of dt v'; in the first step, the place before it is u - dt v");
     Quantity& motion = probe.quantity("u' - u - dt v', 50 digits, over |u'| + dt |v'| [1]", Source::rounding,
                                       "u each of the sum and the product");
     Arguments a(28);
@@ -75,6 +75,12 @@ void eq28_step(Probe& probe)
                              rounding(2) * dt * std::abs(two.v);
         force.within(analytic::oscillator_residual(m, k, F_1, dt, start.u, one.u, two.u) / forces, 0,
                      rounding(4) + m / (dt * dt) * moved / forces, where);
+        const double begins = std::abs(F_0) + std::abs(k * start.u);
+        const double changed = rounding(2) * dt * (std::abs(start.v) + std::abs(one.v)) +
+                               rounding(1) * (2 * std::abs(start.u) + std::abs(one.u));
+        force.within(analytic::oscillator_residual(m, k, F_0, dt, start.u - dt * start.v, start.u, one.u) /
+                         begins,
+                     0, rounding(4) + m / (dt * dt) * changed / begins, where + ", first step");
         for (const auto& [before, after] : {std::pair{start, one}, std::pair{one, two}}) {
             const double size = std::abs(after.u) + dt * std::abs(after.v);
             motion.within(analytic::displacement_residual(dt, before.u, after.u, after.v) / size, 0,

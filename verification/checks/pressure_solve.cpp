@@ -386,6 +386,50 @@ void start_of_the_solve(Probe& probe)
     }
 }
 
+/// From no pressure, one iteration: each particle's residual by its own DFSPH factor.
+void first_iteration(Probe& probe)
+{
+    const double u = probe.roundoff();
+    Quantity& pressure = probe.quantity(
+        "pressure after one iteration from 0 [Pa]", Source::rounding,
+        "omega rho_0^2/dt times the bounds of the residual's sums (5) and (2) times alpha, and of alpha's "
+        "sums "
+        "times the residual, for oracle and subject, + gamma_12 of the product and of its two terms");
+    Quantity& acting = probe.quantity("particles that are pressed", Source::exact,
+                                      "a claim: some are and some aren't, else half of the rule isn't seen");
+    Scenario s = solve_scenario(KernelName::cubic_spline);
+    s.pressure.tolerance_per_s = 1e-300;
+    s.pressure.max_iterations = 1;
+    const double dt = s.time.frame_s;
+    const double rho_0 = s.fluid.density_kg_m3;
+    const double factor = omega * rho_0 * rho_0 / dt;
+    Box box(probe, s); // a start that corrects densities would settle first
+    s.pressure.density_correction = 0.5;
+    box.disturb(0.25, 0.25, 2448);
+    std::ranges::fill(box.state().particles.pressure, 0.0);
+    const auto flow = probe.simulate(s, box.state());
+    flow->advance();
+    const auto cloud = box.cloud(box.state(), flow->density());
+    std::size_t pressed = 0;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+        const auto rho = analytic::pair_density(cloud, i);
+        const auto rate = analytic::pair_density_rate(cloud, i);
+        const auto alpha = analytic::pair_dfsph_factor(cloud, i);
+        const double beta = s.pressure.density_correction;
+        const double of_density = beta * (rho.value - rho_0) / dt;
+        const double residual = of_density + rate.value;
+        const double error = beta * both(rho.error, u) / dt + both(rate.error, u) +
+                             probe.gamma(12) * (std::abs(of_density) + std::abs(rate.value));
+        pressure.within(flow->solved_pressure()[i], std::max(0.0, factor * alpha.value * residual),
+                        factor *
+                            (alpha.value * error + (both(alpha.error, u) + probe.gamma(12) * alpha.value) *
+                                                       (std::abs(residual) + error)),
+                        "particle " + std::to_string(i));
+        pressed += residual > 0 ? 1 : 0;
+    }
+    acting.holds(pressed > 0 && pressed < box.size());
+}
+
 } // namespace
 
 std::vector<Check> pressure_solve_checks()
@@ -413,6 +457,9 @@ std::vector<Check> pressure_solve_checks()
               {"brute force over all pairs"}, density_part),
         check("eq03_start", "a solve starts from the last step's pressures, or from the neighbours' mean",
               {"the pressures given", "brute force over all pairs"}, start_of_the_solve),
+        check("eq03_factor",
+              "in a disturbed cloud each particle answers its residual by its own DFSPH factor",
+              {"brute force over all pairs"}, first_iteration),
         check("eq03_cloud",
               "a disturbed cloud's solution obeys (3), pulls nowhere and moves the blood by its pressure",
               {"brute force over all pairs"}, solves_a_cloud),
