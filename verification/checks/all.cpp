@@ -36,8 +36,8 @@ const std::vector<Check>& all_checks()
                  pressure_solve_checks,  box_flow_checks,     duct_checks,
                  hydrostatics_checks,    wall_history_checks, laminar_flow_checks,
                  taylor_green_checks,    containment_checks,  metamorphic_checks,
-                 executor_checks,        neighborhood_checks, same_run_checks,
-                 vessel_shape_checks,
+                 executor_checks,        neighborhood_checks, wall_cloud_checks,
+                 same_run_checks,        vessel_shape_checks,
              }) {
             std::vector<Check> more = of_subject();
             all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));

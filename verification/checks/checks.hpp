@@ -30,6 +30,7 @@ std::vector<Check> wall_law_checks();
 std::vector<Check> operator_checks();
 std::vector<Check> momentum_checks();
 std::vector<Check> neighborhood_checks();
+std::vector<Check> wall_cloud_checks();
 std::vector<Check> pressure_solve_checks();
 // L2
 std::vector<Check> box_flow_checks();

@@ -2,12 +2,52 @@
 // Why some faults can't be found, and some checks can't be turned red.
 #include "verification/sensitivity/sensitivity.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace aneurysm::verification
 {
-
-std::string_view argument_for(const Fault&)
+namespace
 {
-    return {};
+
+using faults::Kind;
+
+/// One or both backends' formulas do the same with the fault as without.
+struct Equivalent {
+    Place place;
+    Kind kind;
+    bool in_reference;
+    bool in_device;
+    std::string_view why;
+};
+
+constexpr std::string_view constant = "the part is a constant of the formula: its value before is its value";
+constexpr std::string_view of_run = "the part is a constant of the run: its value before is its value";
+constexpr std::string_view even = "only an even power of the part is used";
+constexpr std::string_view size = "only the length of the vector that it multiplies is used";
+
+constexpr std::array<Equivalent, 10> equivalents{{
+    {eq03_density, Kind::off_by_one, true, true, of_run},
+    {eq04_square, Kind::off_by_one, false, true, constant},
+    {eq04_slope_line, Kind::off_by_one, false, true, constant},
+    {eq04_wendland, Kind::sign, true, true, even},
+    {eq04_slope_outer, Kind::sign, true, true, even},
+    {eq07_viscosity, Kind::off_by_one, true, true, of_run},
+    {eq10_sphere, Kind::off_by_one, true, true, constant},
+    {eq16_mass, Kind::sign, true, true, size},
+    {eq16_density, Kind::sign, true, true, size},
+    {eq24_root, Kind::off_by_one, true, true, constant},
+}};
+
+} // namespace
+
+std::string_view argument_for(const Fault& fault)
+{
+    const auto* found = std::ranges::find_if(equivalents, [&](const Equivalent& e) {
+        return e.place == fault.place && e.kind == fault.kind &&
+               (fault.side == Side::reference ? e.in_reference : e.in_device);
+    });
+    return found != equivalents.end() ? found->why : std::string_view{};
 }
 
 std::string_view argument_for(const Check&, Side)
