@@ -271,6 +271,10 @@ void impact(Probe& probe)
     Quantity& others =
         probe.quantity("m |dv|/dt of the others in S, no larger than F_b [N]", Source::rounding,
                        "as of F_b: m/dt gamma_4 of both velocities and gamma_60 of F_b and m g");
+    Quantity& members =
+        probe.quantity("particles in S beyond those whose place leaves no doubt", Source::exact,
+                       "integers: at least none, at most those that the wall has put back and those within "
+                       "32 u of a border");
     const Scenario s = shipped_scenario("quick");
     const Vessel vessel(s, s.vessel.radius_m / std::cbrt(2.0));
     const double dt = s.time.frame_s;
@@ -281,6 +285,8 @@ void impact(Probe& probe)
         const SimulationState after = flow->state();
         const double R = before.aneurysm.radius + before.aneurysm.displacement;
         const double m = after.particles.mass;
+        std::int64_t sure = 0;
+        std::int64_t doubtful = 0;
         for (std::size_t i = 0; i < after.particles.size(); ++i) {
             const Vec3& x = after.particles.position[i];
             const Vec3& v = after.particles.velocity[i];
@@ -290,6 +296,15 @@ void impact(Probe& probe)
                 before.particles.kind[i] == Kind::fluid && after.particles.kind[i] == Kind::fluid;
             const double band = s.rupture.impact_band_spacings * after.spacing;
             const double margin = 32 * u * length(x);
+            const double to_wall = vessel.wall(x, R).value + band;
+            const double to_sac = vessel.tubes(x).value - vessel.sac(x, R).value;
+            if (before.particles.kind[i] == Kind::fluid && untouched && blood && to_wall > margin &&
+                to_sac > margin) {
+                ++sure;
+            } else if (before.particles.kind[i] == Kind::fluid &&
+                       (!untouched || !blood || std::min(to_wall, to_sac) > -margin)) {
+                doubtful += to_sac > -after.spacing ? 1 : 0; // at a tube's wall none is in S
+            }
             if (!untouched || !blood || vessel.wall(x, R).value <= -band + margin ||
                 vessel.sac(x, R).value >= vessel.tubes(x).value - margin) {
                 continue;
@@ -304,6 +319,8 @@ void impact(Probe& probe)
                 others.within(std::max(F, r.impact_force), r.impact_force, allowed, frame(r));
             }
         }
+        const std::int64_t more = r.impact_count - sure;
+        members.equal(std::clamp<std::int64_t>(more, 0, doubtful), more, frame(r));
         before = after;
     }
 }
