@@ -125,7 +125,7 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& options)
 CLI::App* add_reproduce(CLI::App& app, ReproduceOptions& options)
 {
     CLI::App* reproduce = app.add_subcommand("reproduce", "Reproduce the paper's tables and figures");
-    reproduce->add_option("ITEM", options.items, "table1 ... table4, fig4 ... fig10, all (default)");
+    reproduce->add_option("ITEM", options.items, "table1 ... table4, fig4 ... fig10, errata, all (default)");
     reproduce->add_option("--out", options.out,
                           "directory for data, pictures and reproduction.html; its runs are used again");
     reproduce->add_option("--backend", options.backend.name, "who computes: reference, cpu, cuda")

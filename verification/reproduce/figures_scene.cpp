@@ -27,18 +27,17 @@ Picture sheet(Reproduction& reproduction, const std::string& id, const std::stri
               const std::vector<Scenario>& scenarios, const std::vector<std::string>& labels,
               const std::string& frames, const std::string& caption)
 {
-    const std::filesystem::path file = reproduction.folder(id) / (id + "_" + state + ".png");
+    const std::filesystem::path folder = reproduction.folder(id) / state;
     std::vector<std::string> words;
     for (const Scenario& scenario : scenarios) {
         words.push_back(reproduction.runs.directory(scenario).string());
     }
-    words.insert(words.end(), {"--frames", frames, "--state", state, "--color", "speed", "--sheet",
-                               file.string(), "--size", "640x720"});
+    words.insert(words.end(), {"--frames", frames, "--state", state, "--sheet", "--out", folder.string()});
     if (!labels.empty()) {
         words.insert(words.end(), {"--labels", joined(labels)});
     }
     render(words);
-    return {file, caption};
+    return {folder / "sheet.png", caption};
 }
 
 /// The member of the ensemble whose wall of Table 1 ruptures nearest to the paper's frame.

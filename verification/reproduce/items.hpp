@@ -28,5 +28,6 @@ Section figure7(Reproduction& reproduction);
 Section figure8(Reproduction& reproduction);
 Section figure9(Reproduction& reproduction);
 Section figure10(Reproduction& reproduction);
+Section errata(Reproduction& reproduction);
 
 } // namespace aneurysm::verification
