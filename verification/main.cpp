@@ -4,6 +4,7 @@
 #include "output/build_info.hpp"
 #include "verification/compare.hpp"
 #include "verification/info.hpp"
+#include "verification/launch.hpp"
 #include "verification/reproduce/reproduce.hpp"
 #include "verification/run.hpp"
 #include "verification/verify.hpp"
@@ -13,6 +14,7 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -159,6 +161,23 @@ CLI::App* add_info(CLI::App& app, InfoOptions& options)
     return info;
 }
 
+/// A subcommand of the program aneurysm-pictures, which gets all that stands behind its name.
+CLI::App* add_handed_over(CLI::App& app, const std::string& name, const std::string& description)
+{
+    CLI::App* command = app.add_subcommand(name, description);
+    command->set_help_flag();
+    command->prefix_command();
+    return command;
+}
+
+[[noreturn]] void hand_over(const CLI::App& command)
+{
+    std::vector<std::string> words = command.remaining();
+    words.insert(words.begin(), command.get_name());
+    verification::launch("aneurysm-pictures", words, command.get_name(),
+                         "it is built (target aneurysm-pictures) where VTK is: Debian's libvtk9-dev");
+}
+
 void show(const InfoOptions& options)
 {
     if (options.schema) {
@@ -188,6 +207,8 @@ int parse_and_run(int argc, char** argv)
     const CLI::App* verify = add_verify(app, verify_options);
     const CLI::App* reproduce = add_reproduce(app, reproduce_options);
     const CLI::App* info = add_info(app, info_options);
+    const CLI::App* render = add_handed_over(app, "render", "Draw frames of a run, or make a video of them");
+    const CLI::App* view = add_handed_over(app, "view", "Simulate a scenario in a window");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -207,6 +228,9 @@ int parse_and_run(int argc, char** argv)
     }
     if (reproduce->parsed()) {
         return verification::reproduce(reproduce_options);
+    }
+    if (render->parsed() || view->parsed()) {
+        hand_over(render->parsed() ? *render : *view);
     }
     if (!info->parsed()) {
         throw InputError("command line", "no subcommand given", "see aneurysm --help");
