@@ -4,6 +4,7 @@
 #include "output/file.hpp"
 #include "tests/files.hpp"
 #include "tests/vessels.hpp"
+#include "verification/reproduce/calibrate.hpp"
 #include "verification/reproduce/ensemble.hpp"
 #include "verification/reproduce/wall_history.hpp"
 
@@ -147,6 +148,42 @@ BOOST_AUTO_TEST_CASE(a_failed_run_is_said_and_the_others_keep_their_rows)
     bad.pressure.blow_up_density_ratio = 1.0001;
     RunStore runs(scratch.path, cpu, 1);
     BOOST_CHECK_THROW(runs.make({bad}), SimulationError);
+}
+
+BOOST_AUTO_TEST_CASE(a_calibration_finds_the_values_that_made_its_rows)
+{
+    const Scratch scratch;
+    RunStore runs(scratch.path / "runs", cpu, 2);
+    Scenario scenario = shipped_scenario("quick");
+    scenario.name += "_as_it_is";
+    const std::vector<Member> members = ensemble(runs, scenario, 5, 2);
+    constexpr double yield_limit = 330;
+    nlohmann::json paper{{"table4", nlohmann::json::array()}};
+    nlohmann::json plan{{"scenario", "quick"},
+                        {"first_seed", 5},
+                        {"seeds", 2},
+                        {"rows", nlohmann::json::array()},
+                        {"candidates",
+                         {{"thick", {{"aneurysm", {{"initial_radius_radii", 0.6}}}}},
+                          {"as_it_is", nlohmann::json::object()}}},
+                        {"yield_limit_pa", {{"from", 100}, {"to", 900}}}};
+    for (const RuptureRow& row : {RuptureRow{0.4, 0.006, 0}, {0.6, 0.006, 0}, {0.4, 0.005, 0}}) {
+        double sum = 0;
+        for (const Member& member : members) {
+            sum += static_cast<double>(RuptureTimes(with_wall(scenario, row), member).frame(yield_limit));
+        }
+        paper["table4"].push_back({{"sigma", row.sigma}, {"phi", row.phi}, {"frame", std::lround(sum / 2)}});
+        plan["rows"].push_back({{"sigma", row.sigma}, {"phi", row.phi}});
+    }
+    Reproduction reproduction{runs, paper, scratch.path, 2};
+    const Section section = calibrate(reproduction, plan, std::nullopt);
+    BOOST_TEST(section.text.front().find("Best: as_it_is") != std::string::npos);
+    const std::vector<std::string>& row = section.tables.front().rows.at(0); // names are in order
+    BOOST_TEST(row.front() == "as_it_is");
+    BOOST_TEST(std::abs(std::stod(row.at(row.size() - 2)) / yield_limit - 1) < 0.05); // Y, up to a plateau
+    BOOST_TEST(std::stod(row.back()) < 0.01);                 // half a frame of a mean
+    plan["rows"].push_back({{"sigma", 0.9}, {"phi", 0.006}}); // none of the table's
+    BOOST_CHECK_THROW(calibrate(reproduction, plan, std::nullopt), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(pages_hold_their_pictures_and_escape_what_they_say)
