@@ -50,7 +50,7 @@ double own_yield(const std::vector<RuptureTimes>& times, double wanted, double a
 /// What the wall of a member is like in the paper's frame of rupture, were it still whole.
 void look_at_paper_frame(RowResult& result, const Scenario& wall, const Member& member, double share)
 {
-    const auto frame = static_cast<std::size_t>(result.row.paper);
+    const std::size_t frame = std::min(static_cast<std::size_t>(result.row.paper), member.records.size());
     const WallHistory whole = wall_along(unbreakable(wall), std::span(member.records).first(frame));
     const double relative = wall.rupture.yield_limit_pa / unbreakable(wall).rupture.yield_limit_pa;
     double blow = 0;
@@ -175,42 +175,54 @@ std::vector<Claim> claims_about(const std::vector<RowResult>& results)
              std::to_string(late) + " of " + std::to_string(members) + " runs"}};
 }
 
-/// Runs two of the walls for real, breach and all: they must rupture in the very frames that were worked out.
-ResultTable live_runs(Reproduction& reproduction, const Scenario& scenario,
-                      const std::vector<RowResult>& results, const std::vector<Member>& members)
+/// One wall for real, breach and all.
+struct LiveRun {
+    Scenario scenario;
+    const RowResult* row = nullptr;
+    const Member* member = nullptr;
+    std::int64_t worked_out = 0; ///< frame of rupture; one more than there are frames: it holds
+};
+
+/// Two of the walls, of either half of the table.
+std::vector<LiveRun> choose_live_runs(const Scenario& scenario, const std::vector<RowResult>& results,
+                                      const std::vector<Member>& members)
 {
-    constexpr std::size_t runs = 2;
-    constexpr std::int64_t after = 20;
+    constexpr std::int64_t after = 20; // frames of bleeding
+    std::vector<LiveRun> runs;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const RowResult& row = results[results.size() - 1 - 3 * k];
+        const std::size_t m = k % members.size();
+        LiveRun run{with_seed(with_wall(scenario, row.row), members[m].seed), &row, &members[m],
+                    static_cast<std::int64_t>(row.frames[m])};
+        run.scenario.name += "_live_sigma" + number(row.row.sigma) + "_phi" + number(row.row.phi);
+        run.scenario.time.frames = std::min(run.worked_out + after, std::ssize(members[m].records));
+        runs.push_back(run);
+    }
+    return runs;
+}
+
+/// They must rupture in the very frames that were worked out.
+ResultTable live_table(Reproduction& reproduction, const std::vector<LiveRun>& runs)
+{
     ResultTable table{"Live runs of single walls against the same walls worked out",
                       {"row", "seed", "worked out", "live", "frames with the same F_b to the bit"},
                       {}};
-    std::vector<Scenario> live;
-    for (std::size_t k = 0; k < runs; ++k) {
-        const RowResult& r = results[results.size() - 1 - 3 * k]; // of either half of the table
-        Scenario s = with_seed(with_wall(scenario, r.row), members[k % members.size()].seed);
-        s.name += "_live_sigma" + number(r.row.sigma) + "_phi" + number(r.row.phi);
-        s.time.frames = static_cast<std::int64_t>(r.frames[k % members.size()]) + after;
-        live.push_back(s);
-    }
-    reproduction.runs.make(live);
-    for (std::size_t k = 0; k < runs; ++k) {
-        const RowResult& r = results[results.size() - 1 - 3 * k];
-        const Member& member = members[k % members.size()];
-        const std::vector<FrameRecord> records = reproduction.runs.records(live[k]);
+    for (const LiveRun& run : runs) {
+        reproduction.runs.make({run.scenario});
+        const std::vector<FrameRecord> records = reproduction.runs.records(run.scenario);
         const auto ruptured = std::ranges::find(records, Phase::ruptured, &FrameRecord::phase);
-        std::int64_t same = 0;
-        while (same < std::ssize(records) &&
-               records[static_cast<std::size_t>(same)].impact_force ==
-                   member.records[static_cast<std::size_t>(same)].impact_force) {
-            ++same;
-        }
-        const auto worked_out = static_cast<std::int64_t>(r.frames[k % members.size()]);
-        if (ruptured == records.end() || ruptured->frame != worked_out) {
-            throw Error(live[k].name, "doesn't rupture in frame " + std::to_string(worked_out),
+        const std::int64_t live = ruptured == records.end() ? std::ssize(records) + 1 : ruptured->frame;
+        if (live != run.worked_out) {
+            throw Error(run.scenario.name,
+                        "ruptures in frame " + std::to_string(live) + ", not " +
+                            std::to_string(run.worked_out),
                         "the evaluation along recorded impacts is wrong: this is a fault of the program");
         }
-        table.rows.push_back({r.row.name(), std::to_string(member.seed), std::to_string(worked_out),
-                              std::to_string(ruptured->frame), std::to_string(same)});
+        const auto [end, unused] = std::ranges::mismatch(
+            records, run.member->records, {}, &FrameRecord::impact_force, &FrameRecord::impact_force);
+        table.rows.push_back({run.row->row.name(), std::to_string(run.member->seed),
+                              std::to_string(run.worked_out), std::to_string(live),
+                              std::to_string(end - records.begin())});
     }
     return table;
 }
@@ -247,8 +259,8 @@ Section table4(Reproduction& reproduction)
         "rows "
         "exactly; the live runs below rupture in the same frames."};
     section.tables = {frames_table(results), reasons_table(results, scenario.rupture.yield_limit_pa),
-                      live_runs(reproduction, scenario, results, members), seeds_table(results, members),
-                      resolution_study(reproduction, scenario, section.text)};
+                      live_table(reproduction, choose_live_runs(scenario, results, members)),
+                      seeds_table(results, members), resolution_study(reproduction, scenario, section.text)};
     section.claims = claims_about(results);
     PlotPanel panel{"Frame of rupture", "row of Table 4", "frame", {}, true};
     PlotSeries theirs{"paper", {}, {}, "points", 1};
