@@ -224,6 +224,8 @@ def check_view(display):
     out, (width, height, plain) = view(display, "n n n q", "plain.png")
     expect("Closed at frame 3 of 400" in out, f"three steps expected: {out}")
     expect((width, height) == (480, 320) and len(set(plain)) > 1000, f"a picture: {width}x{height}, {len(set(plain))}")
+    bright = share(plain, lambda pixel: min(pixel) > 200)
+    expect(0.3 < bright < 0.95, f"a bright background around the artery and the charts: {bright}")
     out, (_, _, coloured) = view(display, "n n n c q", "coloured.png")
     expect("frame 3" in out and coloured != plain, "another colour expected")
     out, (_, _, fluid) = view(display, "n n c f q", "fluid.png")

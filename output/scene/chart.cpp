@@ -75,7 +75,7 @@ FrameChart::FrameChart(Content content, int font)
       mark_(make_table({"frame", "low", "high"}))
 {
     chart_->SetAutoSize(false);
-    chart_->GetBackgroundBrush()->SetColorF(1, 1, 1, 0.75);
+    chart_->GetBackgroundBrush()->SetColorF(1, 1, 1, 0);
     const float width = static_cast<float>(font) / 11;
     for (int i = 0; i < 2; ++i) {
         vtkPlot* const plot = chart_->AddPlot(vtkChart::LINE);
@@ -133,6 +133,11 @@ void FrameChart::show(const std::vector<FrameRecord>& records, std::int64_t warm
         if (record.frame > warm_up_frames || records.back().frame <= warm_up_frames) {
             most = {std::max(most[0], numbers[0]), std::max(most[1], numbers[1])};
         }
+    }
+    while (values_->GetNumberOfRows() < 2) { // VTK complains about shorter lines
+        const std::array<double, 2> numbers =
+            records.empty() ? std::array<double, 2>{} : values_of(content_, records.back());
+        set_row(*values_, values_->GetNumberOfRows(), {static_cast<double>(marked), numbers[0], numbers[1]});
     }
     if (content_ == Content::impact) {
         most = {std::max(most[0], most[1]), std::max(most[0], most[1])};

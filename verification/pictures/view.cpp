@@ -73,6 +73,10 @@ int view(const ViewOptions& options)
     worker.set_running(!options.paused);
     window.run(keys);
     if (!options.picture.empty()) {
+        if (window.picture().rgb.empty()) {
+            throw Error(options.picture.string(), "no picture: the window was closed by other means",
+                        "needed: the key q");
+        }
         output::write_png(options.picture, window.picture());
     }
     std::cout << "Closed at frame " << window.frame() << " of " << last << std::endl;

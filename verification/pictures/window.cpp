@@ -139,6 +139,8 @@ void Window::press(const std::string& key)
     } else if (key == "s") {
         save();
     } else if (key == "q") {
+        window_->Render();
+        closing_ = picture_of(*window_); // afterwards OpenGL's buffers are gone
         interactor_->TerminateApp();
     }
     if (key == "c" || key == "f" || key == "w") {

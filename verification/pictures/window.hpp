@@ -30,7 +30,8 @@ public:
     void run(const std::vector<std::string>& keys);
 
     std::int64_t frame() const { return snapshot_.record.frame; } ///< that is shown
-    output::Image picture() { return output::picture_of(*window_); }
+    /// What it showed when q closed it; empty when it was closed otherwise.
+    const output::Image& picture() const { return closing_; }
 
 private:
     void on_timer();
@@ -57,6 +58,7 @@ private:
     output::Snapshot snapshot_;
     std::vector<FrameRecord> records_;
     std::deque<std::string> keys_;
+    output::Image closing_;
     bool help_ = false;
     bool changed_ = true;   ///< something that the picture doesn't show yet
     bool reported_ = false; ///< the simulation's error
