@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 
 cmake/install_dependencies.sh cmake/dependencies
 cmake --preset release --log-level=WARNING >/dev/null
-cmake --build --preset release --target aneurysm -- --quiet
+cmake --build --preset release --target aneurysm_programs -- --quiet
 
 out=results/paper_tc1
 n=2

@@ -18,7 +18,6 @@ namespace
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* manifest_name = "manifest.json";
 constexpr const char* hashes_name = "hashes.csv";
 constexpr const char* series_name = "particles.vtkhdf.series";
 constexpr std::array status_names{"running", "finished", "interrupted", "failed"};
@@ -86,6 +85,29 @@ fs::path RunDirectory::frames_file(const fs::path& directory)
 {
     return directory / "frames.csv";
 }
+fs::path RunDirectory::manifest_file(const fs::path& directory)
+{
+    return directory / "manifest.json";
+}
+fs::path RunDirectory::particles_file(const fs::path& directory, std::int64_t frame)
+{
+    return directory / particle_file(frame);
+}
+
+std::vector<std::int64_t> RunDirectory::particle_frames(const fs::path& directory)
+{
+    std::vector<std::int64_t> frames;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(directory / "particles", error)) {
+        const std::string stem = entry.path().stem().string();
+        const std::int64_t frame = stem.starts_with("frame_") ? std::atoll(stem.c_str() + 6) : -1;
+        if (frame >= 0 && entry.path().filename() == particles_file(directory, frame).filename()) {
+            frames.push_back(frame);
+        }
+    }
+    std::sort(frames.begin(), frames.end());
+    return frames;
+}
 
 RunDirectory::RunDirectory(fs::path directory, Scenario scenario, Engine engine, LineFile::Mode mode)
     : directory_(std::move(directory)), scenario_(std::move(scenario)), engine_(std::move(engine)),
@@ -112,9 +134,9 @@ RunDirectory RunDirectory::create(const fs::path& directory, const Scenario& sce
 RunDirectory RunDirectory::resume(const fs::path& directory, const Checkpoint& checkpoint,
                                   const Engine& engine)
 {
-    const fs::path manifest_file = directory / manifest_name;
-    const Json manifest = read_json(manifest_file);
-    refuse_other_engine(manifest, engine, manifest_file);
+    const fs::path file = manifest_file(directory);
+    const Json manifest = read_json(file);
+    refuse_other_engine(manifest, engine, file);
     RunDirectory run(directory, checkpoint.scenario, engine, LineFile::Mode::append);
     const auto rows = static_cast<std::size_t>(checkpoint.state.frame);
     run.frames_.keep(1 + rows);
@@ -178,7 +200,7 @@ void RunDirectory::write_manifest(RunStatus status, const std::string& message) 
     json["frame_hashes"] = hashes_name;
     json["scenario_hash"] = scenario_hash(scenario_);
     json["scenario"] = Json::parse(to_json(scenario_));
-    write_atomically(directory_ / manifest_name,
+    write_atomically(manifest_file(directory_),
                      json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
@@ -196,20 +218,14 @@ void RunDirectory::write_series() const
 /// Finds the particle files up to a frame again and removes the later ones.
 void RunDirectory::read_series(std::int64_t last_frame)
 {
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(directory_ / "particles", error)) {
-        const std::string stem = entry.path().stem().string();
-        const std::int64_t frame = stem.starts_with("frame_") ? std::atoll(stem.c_str() + 6) : -1;
-        if (frame < 0 || entry.path().filename() != fs::path(particle_file(frame)).filename()) {
-            continue;
-        }
+    for (const std::int64_t frame : particle_frames(directory_)) {
         if (frame <= last_frame) {
             particle_frames_.push_back(frame);
         } else {
-            fs::remove(entry.path(), error);
+            std::error_code unused;
+            fs::remove(particles_file(directory_, frame), unused);
         }
     }
-    std::sort(particle_frames_.begin(), particle_frames_.end());
     if (!particle_frames_.empty()) {
         write_series();
     }

@@ -45,6 +45,10 @@ public:
 
     static std::filesystem::path checkpoint_file(const std::filesystem::path& directory);
     static std::filesystem::path frames_file(const std::filesystem::path& directory);
+    static std::filesystem::path manifest_file(const std::filesystem::path& directory);
+    static std::filesystem::path particles_file(const std::filesystem::path& directory, std::int64_t frame);
+    /// Frames that particles were written for, rising.
+    static std::vector<std::int64_t> particle_frames(const std::filesystem::path& directory);
 
     /// Frames whose rows are complete.
     std::int64_t frames() const { return frame_; }

@@ -4,9 +4,11 @@
 #include "output/file.hpp"
 #include "output/hdf5.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace aneurysm::output
@@ -17,36 +19,23 @@ namespace
 constexpr std::uint8_t vtk_vertex = 1;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The shown particles' values, in the order of their numbers.
-struct Shown {
-    std::vector<std::int64_t> id;
-    std::vector<double> position;
-    std::vector<double> velocity;
-    std::vector<double> density;
-    std::vector<double> pressure;
-    std::vector<std::uint8_t> kind;
-};
-
-void add(std::vector<double>& numbers, const Vec3& v)
+std::vector<double> flat(const std::vector<Vec3>& vectors)
 {
-    numbers.insert(numbers.end(), {v.x, v.y, v.z});
+    std::vector<double> numbers;
+    numbers.reserve(3 * vectors.size());
+    for (const Vec3& v : vectors) {
+        numbers.insert(numbers.end(), {v.x, v.y, v.z});
+    }
+    return numbers;
 }
 
-Shown select(const ParticleFields& fields)
+std::vector<std::uint8_t> numbers_of(const std::vector<Kind>& kinds)
 {
-    const Particles& p = fields.particles;
-    Shown shown;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.kind[i] != Kind::reserve) {
-            shown.id.push_back(static_cast<std::int64_t>(i));
-            add(shown.position, p.position[i]);
-            add(shown.velocity, p.velocity[i]);
-            shown.density.push_back(fields.density.empty() ? unknown : fields.density[i]);
-            shown.pressure.push_back(p.pressure[i]);
-            shown.kind.push_back(static_cast<std::uint8_t>(p.kind[i]));
-        }
+    std::vector<std::uint8_t> numbers;
+    for (const Kind kind : kinds) {
+        numbers.push_back(static_cast<std::uint8_t>(kind));
     }
-    return shown;
+    return numbers;
 }
 
 template <class Number>
@@ -71,11 +60,65 @@ void write_cells(const hdf5::Group& group, std::size_t count)
     write(group, "Types", std::vector<std::uint8_t>(count, vtk_vertex));
 }
 
+std::vector<Vec3> read_vectors(const hdf5::Group& group, const char* name)
+{
+    const std::vector<double> numbers = group.read<double>(name, 3);
+    std::vector<Vec3> vectors;
+    for (std::size_t i = 0; i < numbers.size(); i += 3) {
+        vectors.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    }
+    const auto bad = std::find_if_not(vectors.begin(), vectors.end(), is_finite<double>);
+    if (bad != vectors.end()) {
+        group.task().fail(name, "row " + std::to_string(bad - vectors.begin()) + " is not finite");
+    }
+    return vectors;
+}
+
+std::vector<Kind> read_kinds(const hdf5::Group& group)
+{
+    std::vector<Kind> kinds;
+    for (const std::uint8_t number : group.read<std::uint8_t>("kind")) {
+        if (number == 0 || number > static_cast<std::uint8_t>(Kind::outlet_2)) {
+            group.task().fail("kind", "unknown value " + std::to_string(number));
+        }
+        kinds.push_back(static_cast<Kind>(number));
+    }
+    return kinds;
+}
+
+/// One number or vector for each particle.
+template <class Value>
+void check_size(const hdf5::Group& group, const char* name, const std::vector<Value>& values,
+                std::size_t count)
+{
+    if (values.size() != count) {
+        group.task().fail(name, std::to_string(values.size()) + " rows for " + std::to_string(count) +
+                                    " particles");
+    }
+}
+
 } // namespace
+
+ShownParticles shown_particles(const ParticleFields& fields)
+{
+    const Particles& p = fields.particles;
+    ShownParticles shown;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] != Kind::reserve) {
+            shown.id.push_back(static_cast<std::int64_t>(i));
+            shown.position.push_back(p.position[i]);
+            shown.velocity.push_back(p.velocity[i]);
+            shown.density.push_back(fields.density.empty() ? unknown : fields.density[i]);
+            shown.pressure.push_back(p.pressure[i]);
+            shown.kind.push_back(p.kind[i]);
+        }
+    }
+    return shown;
+}
 
 void write_vtk(const std::filesystem::path& file, const ParticleFields& fields)
 {
-    const Shown shown = select(fields);
+    const ShownParticles shown = shown_particles(fields);
     const hdf5::File image(file.string());
     {
         const hdf5::Group root = image.root();
@@ -83,15 +126,35 @@ void write_vtk(const std::filesystem::path& file, const ParticleFields& fields)
         grid.write_attribute("Version", std::array<std::int64_t, 2>{1, 0});
         grid.write_attribute("Type", std::string("UnstructuredGrid"));
         write_cells(grid, shown.id.size());
-        write(grid, "Points", shown.position, 3);
+        write(grid, "Points", flat(shown.position), 3);
         const hdf5::Group data = grid.create_group("PointData");
         write(data, "id", shown.id);
-        write(data, "kind", shown.kind);
-        write(data, "velocity", shown.velocity, 3);
+        write(data, "kind", numbers_of(shown.kind));
+        write(data, "velocity", flat(shown.velocity), 3);
         write(data, "density", shown.density);
         write(data, "pressure", shown.pressure);
     }
     write_atomically(file, std::span<const std::byte>(image.image()));
+}
+
+ShownParticles read_vtk(const std::filesystem::path& file)
+{
+    const std::vector<std::byte> bytes = read_bytes(file);
+    const hdf5::File image(bytes, file.string());
+    const hdf5::Group grid = image.root().open_group("VTKHDF");
+    const hdf5::Group data = grid.open_group("PointData");
+    ShownParticles shown{.id = data.read<std::int64_t>("id"),
+                         .position = read_vectors(grid, "Points"),
+                         .velocity = read_vectors(data, "velocity"),
+                         .density = data.read<double>("density"),
+                         .pressure = data.read<double>("pressure"),
+                         .kind = read_kinds(data)};
+    check_size(data, "id", shown.id, shown.size());
+    check_size(data, "velocity", shown.velocity, shown.size());
+    check_size(data, "density", shown.density, shown.size());
+    check_size(data, "pressure", shown.pressure, shown.size());
+    check_size(data, "kind", shown.kind, shown.size());
+    return shown;
 }
 
 } // namespace aneurysm::output

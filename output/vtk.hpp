@@ -3,8 +3,10 @@
 
 #include "common/particles.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 namespace aneurysm::output
 {
@@ -18,5 +20,24 @@ struct ParticleFields {
 /// The particles but for the reserve, as VTKHDF 1.0 (an unstructured grid of vertices): VTK 9.1,
 /// ParaView 5.10 and later read it. \throws Error
 void write_vtk(const std::filesystem::path& file, const ParticleFields& fields);
+
+/// What a particle file holds: all but the reserve, in the order of the particles' numbers. Every array has
+/// size() entries.
+struct ShownParticles {
+    std::vector<std::int64_t> id;
+    std::vector<Vec3> position;   ///< [m]
+    std::vector<Vec3> velocity;   ///< [m/s]
+    std::vector<double> density;  ///< NaN when not known yet [kg/m^3]
+    std::vector<double> pressure; ///< [Pa]
+    std::vector<Kind> kind;       ///< never the reserve
+
+    std::size_t size() const { return position.size(); }
+};
+
+/// What write_vtk writes of these.
+ShownParticles shown_particles(const ParticleFields& fields);
+
+/// The inverse of write_vtk. \throws InputError that names the file and what in it is missing or bad
+ShownParticles read_vtk(const std::filesystem::path& file);
 
 } // namespace aneurysm::output

@@ -5,9 +5,7 @@
 #include "common/fault.hpp"
 #include "common/initial_state.hpp"
 #include "reference/bifurcation.hpp"
-#include "reference/boundary.hpp"
-#include "reference/growth.hpp"
-#include "reference/rupture.hpp"
+#include "reference/deform.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,24 +13,6 @@
 
 namespace aneurysm::reference
 {
-namespace
-{
-
-WallTissue wall_tissue(const Scenario& s)
-{
-    const auto& g = s.growth;
-    return {.rho_F = g.tissue_density_kg_m3,
-            .a = g.tissue_area_m2,
-            .c = g.wave_speed_m_s,
-            .K_E = g.elastin_stiffness_n_m,
-            .A_E = g.elastin_area_m2,
-            .K_C = g.collagen_stiffness_n_m,
-            .A_C = g.collagen_area_m2,
-            .m = g.wall_mass_kg};
-}
-
-} // namespace
-
 Simulation::Simulation(const Scenario& scenario) : Simulation(scenario, std::nullopt) {}
 
 Simulation::Simulation(const Scenario& scenario, SimulationState state)
@@ -146,57 +126,17 @@ void Simulation::recycle_escaped(SimulationState& state, const Wall& wall) const
     }
 }
 
-/// Growth and thinning of one frame: (21), then (22) or (23).
-void Simulation::grow(AneurysmState& aneurysm, double F_b) const
-{
-    AneurysmState& s = aneurysm;
-    const double dR = radius_increment(wall_tissue(scenario_), F_b, s.radius, scenario_.time.frame_s);
-    const double largest = fault(eq23_developed, vessel_.largest_radius());
-    if (s.radius < largest) {
-        s.phase = Phase::growing;
-        const double taken = std::min(dR, largest - s.radius);
-        s.thickness = thickness_growing(s.thickness, s.radius, scenario_.rupture.poisson_ratio, taken);
-        s.radius = taken < dR ? largest : s.radius + fault(eq21_growth, dR);
-    } else {
-        s.phase = Phase::fully_developed;
-        s.thickness = thickness_developed(s.thickness, scenario_.growth.thinning_intensity_per_m, dR,
-                                          scenario_.growth.largest_increment_m);
-    }
-}
-
-/// What the frame's impact does to the sac: growth, the elastic wall (28) and, when F_b > P_c, rupture.
+/// The end of a frame for the sac, and what its record says of it.
 void Simulation::deform(SimulationState& state, FrameRecord& record) const
 {
-    AneurysmState& s = state.aneurysm;
-    const auto& material = scenario_.rupture;
-    const bool alive = vessel_.has_sac() && s.phase != Phase::ruptured &&
-                       record.frame > fault(eq21_warm_up, scenario_.growth.warm_up_frames);
-    if (alive) {
-        grow(s, record.impact_force);
-        const ElasticWall w = advance_elastic_wall({s.displacement, s.wall_velocity}, record.impact_force,
-                                                   scenario_.elastic_wall.stiffness_n_m,
-                                                   scenario_.elastic_wall.mass_kg, scenario_.time.frame_s);
-        s.displacement = w.u;
-        s.wall_velocity = w.v;
-        if (!(std::abs(s.displacement) < state.spacing)) {
-            throw SimulationError("frame " + std::to_string(record.frame),
-                                  "the elastic wall is displaced by " + std::to_string(s.displacement) +
-                                      " m, more than a particle spacing",
-                                  "a larger elastic_wall.stiffness_n_m");
-        }
-    }
     if (vessel_.has_sac()) {
-        record.critical_pressure = critical_pressure(s.thickness, s.radius, material.yield_limit_pa,
-                                                     material.poisson_ratio, material.porosity);
+        const Deform deform_sac(scenario_, vessel_.largest_radius(), state.spacing);
+        record.critical_pressure = deform_sac(state.aneurysm, record.frame, record.impact_force);
     }
-    if (alive && ruptures(record.impact_force, material.conversion_area_m2, record.critical_pressure)) {
-        s.phase = Phase::ruptured;
-        s.rupture_frame = record.frame;
-    }
-    record.phase = s.phase;
-    record.radius = s.radius;
-    record.thickness = s.thickness;
-    record.displacement = s.displacement;
+    record.phase = state.aneurysm.phase;
+    record.radius = state.aneurysm.radius;
+    record.thickness = state.aneurysm.thickness;
+    record.displacement = state.aneurysm.displacement;
 }
 
 } // namespace aneurysm::reference

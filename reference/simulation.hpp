@@ -57,7 +57,6 @@ private:
 
     FrameRecord advance(std::span<const double> solved_pressure, FlowObserver* observer);
     Wall wall(const AneurysmState& aneurysm) const;
-    void grow(AneurysmState& aneurysm, double F_b) const;
     void deform(SimulationState& state, FrameRecord& record) const;
     void recycle_escaped(SimulationState& state, const Wall& wall) const;
 

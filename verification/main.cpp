@@ -4,6 +4,8 @@
 #include "output/build_info.hpp"
 #include "verification/compare.hpp"
 #include "verification/info.hpp"
+#include "verification/launch.hpp"
+#include "verification/reproduce/reproduce.hpp"
 #include "verification/run.hpp"
 #include "verification/verify.hpp"
 
@@ -12,6 +14,7 @@
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -19,6 +22,7 @@ namespace
 using namespace aneurysm;
 using verification::BackendChoice;
 using verification::CompareOptions;
+using verification::ReproduceOptions;
 using verification::RunOptions;
 using verification::VerifyOptions;
 
@@ -120,6 +124,31 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& options)
     return verify;
 }
 
+CLI::App* add_reproduce(CLI::App& app, ReproduceOptions& options)
+{
+    CLI::App* reproduce = app.add_subcommand("reproduce", "Reproduce the paper's tables and figures");
+    reproduce->add_option("ITEM", options.items, "table1 ... table4, fig4 ... fig10, errata, all (default)");
+    reproduce->add_option("--out", options.out,
+                          "directory for data, pictures and reproduction.html; its runs are used again");
+    reproduce->add_option("--backend", options.backend.name, "who computes: reference, cpu, cuda")
+        ->capture_default_str();
+    reproduce->add_option("--precision", options.backend.precision, "double, float")->capture_default_str();
+    reproduce->add_option("--seeds", options.seeds, "members of the ensembles")->capture_default_str();
+    reproduce->add_option("--first-seed", options.first_seed,
+                          "of the ensembles (default: 1); with --calibrate of the calibration");
+    reproduce->add_option("--jobs", options.jobs, "runs at once; 0: as many as there are cores")
+        ->capture_default_str();
+    reproduce->add_flag("--calibrate", options.calibrate,
+                        "fit what the paper doesn't give, as data/calibration.json says, instead");
+    reproduce->footer(
+        "Examples:\n"
+        "  aneurysm reproduce all --out results/paper\n"
+        "  aneurysm reproduce table4 fig9 --seeds 2 --out results/paper\n"
+        "  aneurysm reproduce --calibrate --out results/calibration\n"
+        "Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted (the same command goes on).");
+    return reproduce;
+}
+
 CLI::App* add_info(CLI::App& app, InfoOptions& options)
 {
     CLI::App* info =
@@ -130,6 +159,23 @@ CLI::App* add_info(CLI::App& app, InfoOptions& options)
                  "  aneurysm info\n"
                  "  aneurysm info data/scenarios/paper_tc1.json");
     return info;
+}
+
+/// A subcommand of the program aneurysm-pictures, which gets all that stands behind its name.
+CLI::App* add_handed_over(CLI::App& app, const std::string& name, const std::string& description)
+{
+    CLI::App* command = app.add_subcommand(name, description);
+    command->set_help_flag();
+    command->prefix_command();
+    return command;
+}
+
+[[noreturn]] void hand_over(const CLI::App& command)
+{
+    std::vector<std::string> words = command.remaining();
+    words.insert(words.begin(), command.get_name());
+    verification::launch("aneurysm-pictures", words, command.get_name(),
+                         "it is built (target aneurysm-pictures) where VTK is: Debian's libvtk9-dev");
 }
 
 void show(const InfoOptions& options)
@@ -155,10 +201,14 @@ int parse_and_run(int argc, char** argv)
     InfoOptions info_options;
     CompareOptions compare_options;
     VerifyOptions verify_options;
+    ReproduceOptions reproduce_options;
     const CLI::App* run = add_run(app, run_options);
     const CLI::App* compare = add_compare(app, compare_options);
     const CLI::App* verify = add_verify(app, verify_options);
+    const CLI::App* reproduce = add_reproduce(app, reproduce_options);
     const CLI::App* info = add_info(app, info_options);
+    const CLI::App* render = add_handed_over(app, "render", "Draw frames of a run, or make a video of them");
+    const CLI::App* view = add_handed_over(app, "view", "Simulate a scenario in a window");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -175,6 +225,12 @@ int parse_and_run(int argc, char** argv)
     }
     if (verify->parsed()) {
         return verification::verify(verify_options);
+    }
+    if (reproduce->parsed()) {
+        return verification::reproduce(reproduce_options);
+    }
+    if (render->parsed() || view->parsed()) {
+        hand_over(render->parsed() ? *render : *view);
     }
     if (!info->parsed()) {
         throw InputError("command line", "no subcommand given", "see aneurysm --help");

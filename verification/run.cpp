@@ -8,6 +8,7 @@
 #include "verification/backend_for.hpp"
 #include "verification/interrupt.hpp"
 #include "verification/progress.hpp"
+#include "verification/run_frames.hpp"
 #include "verification/summary.hpp"
 
 #include <iomanip>
@@ -20,7 +21,6 @@ namespace
 {
 
 using output::RunDirectory;
-using output::RunStatus;
 
 /// What to run and from where.
 struct Start {
@@ -85,86 +85,6 @@ Start make_start(const RunOptions& options)
     return start;
 }
 
-/// Frames, one after the other, with all that is written on the way.
-class Loop
-{
-public:
-    Loop(const Start& start, Backend& backend, RunDirectory& directory)
-        : start_(start), backend_(backend), directory_(directory),
-          progress_("frame", backend.state().frame, start.frames)
-    {
-    }
-
-    /// \return whether it came to the end; not when it was interrupted
-    bool run()
-    {
-        if (backend_.state().frame == 0) {
-            write_particles(0);
-        }
-        while (backend_.state().frame < start_.frames && !InterruptWatch::interrupted()) {
-            const FrameRecord record = backend_.advance();
-            directory_.append(record, backend_.state());
-            write_due(record.frame);
-            progress_.show(record.frame, output::name_of(record.phase));
-        }
-        save_state();
-        return backend_.state().frame >= start_.frames;
-    }
-
-    void save_state()
-    {
-        const std::int64_t frame = backend_.state().frame;
-        if (saved_frame_ != frame) {
-            directory_.write_checkpoint(backend_.state());
-            saved_frame_ = frame;
-        }
-    }
-
-    std::int64_t frame() const { return backend_.state().frame; }
-    double frames_per_second() const { return progress_.per_second(backend_.state().frame); }
-
-private:
-    void write_due(std::int64_t frame)
-    {
-        const auto due = [frame](std::int64_t every) { return every > 0 && frame % every == 0; };
-        if (due(start_.scenario.output.particles_every_frames)) {
-            write_particles(frame);
-        }
-        if (due(start_.scenario.output.checkpoint_every_frames)) {
-            save_state();
-        }
-    }
-    void write_particles(std::int64_t frame)
-    {
-        if (start_.scenario.output.particles_every_frames > 0) {
-            directory_.write_particles(frame, {backend_.state().particles, backend_.density()});
-        }
-    }
-
-    const Start& start_;
-    Backend& backend_;
-    RunDirectory& directory_;
-    Progress progress_;
-    std::int64_t saved_frame_ = -1;
-};
-
-/// The run has failed; keep what there is and say why. A second failure (the same full disk) must not hide
-/// the first. A state whose row didn't make it into frames.csv is none to go on from; the checkpoint before
-/// it is.
-void save_failed(Loop& loop, RunDirectory& directory, const std::string& message)
-{
-    try {
-        if (loop.frame() == directory.frames()) {
-            loop.save_state();
-        }
-    } catch (const Error&) { // NOLINT(bugprone-empty-catch)
-    }
-    try {
-        directory.close(RunStatus::failed, message);
-    } catch (const Error&) { // NOLINT(bugprone-empty-catch)
-    }
-}
-
 void print_summary(const Start& start, double rate)
 {
     std::cout << "Results in " << start.out.string() << "\n"
@@ -189,22 +109,17 @@ int run(const RunOptions& options)
     bool complete = false;
     double rate = 0;
     {
-        Loop loop(start, *backend, directory);
-        try {
-            complete = loop.run();
-        } catch (const Error& error) {
-            save_failed(loop, directory, error.what());
-            throw;
-        }
-        rate = loop.frames_per_second();
+        Progress progress("frame", backend->state().frame, start.frames);
+        complete =
+            run_frames(start.scenario, start.frames, *backend, directory, [&](const FrameRecord& record) {
+                progress.show(record.frame, output::name_of(record.phase));
+            });
+        rate = progress.per_second(backend->state().frame);
     }
-    const std::string frame = std::to_string(backend->state().frame);
-    directory.close(complete ? RunStatus::finished : RunStatus::interrupted,
-                    complete ? "" : "interrupted after frame " + frame);
     print_summary(start, rate);
     if (!complete) {
-        std::cerr << "interrupted after frame " << frame << "; go on with: aneurysm run --resume --out "
-                  << start.out.string() << "\n";
+        std::cerr << "interrupted after frame " << backend->state().frame
+                  << "; go on with: aneurysm run --resume --out " << start.out.string() << "\n";
     }
     return complete ? 0 : 130;
 }

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "reference/deform.hpp"
+
+#include "common/error.hpp"
+#include "common/fault.hpp"
+#include "reference/boundary.hpp"
+#include "reference/rupture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace aneurysm::reference
+{
+namespace
+{
+
+WallTissue wall_tissue(const Scenario& s)
+{
+    const auto& g = s.growth;
+    return {.rho_F = g.tissue_density_kg_m3,
+            .a = g.tissue_area_m2,
+            .c = g.wave_speed_m_s,
+            .K_E = g.elastin_stiffness_n_m,
+            .A_E = g.elastin_area_m2,
+            .K_C = g.collagen_stiffness_n_m,
+            .A_C = g.collagen_area_m2,
+            .m = g.wall_mass_kg};
+}
+
+} // namespace
+
+Deform::Deform(const Scenario& scenario, double largest_radius, double spacing)
+    : scenario_(scenario), tissue_(wall_tissue(scenario)), largest_radius_(largest_radius), spacing_(spacing)
+{
+}
+
+/// Growth and thinning of one frame: (21), then (22) or (23).
+void Deform::grow(AneurysmState& aneurysm, double F_b) const
+{
+    AneurysmState& s = aneurysm;
+    const double dR = radius_increment(tissue_, F_b, s.radius, scenario_.time.frame_s);
+    const double largest = fault(eq23_developed, largest_radius_);
+    if (s.radius < largest) {
+        s.phase = Phase::growing;
+        const double taken = std::min(dR, largest - s.radius);
+        s.thickness = thickness_growing(s.thickness, s.radius, scenario_.rupture.poisson_ratio, taken);
+        s.radius = taken < dR ? largest : s.radius + fault(eq21_growth, dR);
+    } else {
+        s.phase = Phase::fully_developed;
+        s.thickness = thickness_developed(s.thickness, scenario_.growth.thinning_intensity_per_m, dR,
+                                          scenario_.growth.largest_increment_m);
+    }
+}
+
+void Deform::move_wall(AneurysmState& aneurysm, std::int64_t frame, double F_b) const
+{
+    const ElasticWall w = advance_elastic_wall({aneurysm.displacement, aneurysm.wall_velocity}, F_b,
+                                               scenario_.elastic_wall.stiffness_n_m,
+                                               scenario_.elastic_wall.mass_kg, scenario_.time.frame_s);
+    aneurysm.displacement = w.u;
+    aneurysm.wall_velocity = w.v;
+    if (!(std::abs(w.u) < spacing_)) {
+        throw SimulationError("frame " + std::to_string(frame),
+                              "the elastic wall is displaced by " + std::to_string(w.u) +
+                                  " m, more than a particle spacing",
+                              "a larger elastic_wall.stiffness_n_m");
+    }
+}
+
+double Deform::operator()(AneurysmState& aneurysm, std::int64_t frame, double F_b) const
+{
+    const auto& material = scenario_.rupture;
+    const bool alive =
+        aneurysm.phase != Phase::ruptured && frame > fault(eq21_warm_up, scenario_.growth.warm_up_frames);
+    if (alive) {
+        grow(aneurysm, F_b);
+        move_wall(aneurysm, frame, F_b);
+    }
+    const double P_c = critical_pressure(aneurysm.thickness, aneurysm.radius, material.yield_limit_pa,
+                                         material.poisson_ratio, material.porosity);
+    if (alive && ruptures(F_b, material.conversion_area_m2, P_c)) {
+        aneurysm.phase = Phase::ruptured;
+        aneurysm.rupture_frame = frame;
+    }
+    return P_c;
+}
+
+} // namespace aneurysm::reference

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Figures 4, 5, 6 and 8: what the flow and the wall look like.
+#include "verification/reproduce/ensemble.hpp"
+#include "verification/reproduce/items.hpp"
+#include "verification/reproduce/variants.hpp"
+#include "verification/reproduce/wall_history.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace aneurysm::verification
+{
+namespace
+{
+
+std::string joined(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "" : ",") + word;
+    }
+    return text;
+}
+
+/// One picture with a tile for each run and frame.
+Picture sheet(Reproduction& reproduction, const std::string& id, const std::string& state,
+              const std::vector<Scenario>& scenarios, const std::vector<std::string>& labels,
+              const std::string& frames, const std::string& caption)
+{
+    const std::filesystem::path folder = reproduction.folder(id) / state;
+    std::vector<std::string> words;
+    for (const Scenario& scenario : scenarios) {
+        words.push_back(reproduction.runs.directory(scenario).string());
+    }
+    words.insert(words.end(), {"--frames", frames, "--state", state, "--sheet", "--out", folder.string()});
+    if (!labels.empty()) {
+        words.insert(words.end(), {"--labels", joined(labels)});
+    }
+    render(words);
+    return {folder / "sheet.png", caption};
+}
+
+/// The member of the ensemble whose wall of Table 1 ruptures nearest to the paper's frame.
+struct Typical {
+    int seed = 0;
+    std::int64_t frame = 0;
+};
+
+Typical typical_member(Reproduction& reproduction, std::int64_t wanted)
+{
+    const Scenario scenario = calibrated_scenario();
+    Typical best;
+    for (const Member& member :
+         ensemble(reproduction.runs, scenario, reproduction.first_seed, reproduction.seeds)) {
+        const std::int64_t frame = wall_along(scenario, member.records).rupture_frame.value_or(0);
+        if (frame > 0 && (best.frame == 0 || std::abs(frame - wanted) < std::abs(best.frame - wanted))) {
+            best = {member.seed, frame};
+        }
+    }
+    return best;
+}
+
+/// A live run, rupture and bleeding included, with particles every 100 frames.
+Scenario bleeding_run(Reproduction& reproduction, Typical& typical)
+{
+    typical = typical_member(reproduction, 2299);
+    Scenario scenario = with_seed(calibrated_scenario(), typical.seed);
+    scenario.name += "_pictures";
+    scenario.time.frames = 2500;
+    scenario.output.particles_every_frames = 100;
+    reproduction.runs.make({scenario});
+    return scenario;
+}
+
+std::string paper_frames(const Reproduction& reproduction)
+{
+    std::vector<std::string> frames;
+    for (const int frame : reproduction.paper.at("figures").at("fig4_frames")) {
+        frames.push_back(std::to_string(frame));
+    }
+    return joined(frames);
+}
+
+std::string which_run(const Typical& typical)
+{
+    return "Seed " + std::to_string(typical.seed) + ", whose wall ruptures in frame " +
+           std::to_string(typical.frame) +
+           ": of the ensemble of Table 4 the nearest to the paper's 2299. The flow goes up the artery and is "
+           "strongest near the crest of each cycle of 800 frames.";
+}
+
+Section frames_figure(Reproduction& reproduction, const std::string& id, const std::string& title,
+                      const std::string& state, const std::string& caption)
+{
+    Typical typical;
+    const Scenario scenario = bleeding_run(reproduction, typical);
+    Section section{id, title};
+    section.text = {which_run(typical)};
+    section.pictures = {sheet(reproduction, id, state, {scenario}, {}, paper_frames(reproduction), caption)};
+    const std::vector<FrameRecord> records = reproduction.runs.records(scenario);
+    ResultTable table{
+        "", {"frame", "phase", "R [m]", "h [m]", "F_b [N]", "P_c [Pa]", "through the breach"}, {}};
+    for (const int frame : reproduction.paper.at("figures").at("fig4_frames")) {
+        const FrameRecord& r = records.at(static_cast<std::size_t>(frame - 1));
+        const std::vector<std::string> phases{"warm-up", "growing", "fully developed", "ruptured"};
+        table.rows.push_back({std::to_string(frame), phases.at(static_cast<std::size_t>(r.phase)),
+                              number(r.radius), number(r.thickness), number(r.impact_force),
+                              number(r.critical_pressure), std::to_string(r.ledger.escaped)});
+    }
+    section.tables = {table};
+    section.claims = {{"The wall is whole at frame 2200 and has ruptured at frame 2400",
+                       records[2199].phase != Phase::ruptured && records[2399].phase == Phase::ruptured,
+                       "rupture in frame " + std::to_string(typical.frame)},
+                      {"After the rupture blood leaves through the breach", records.back().ledger.escaped > 0,
+                       std::to_string(records.back().ledger.escaped) + " particles by frame " +
+                           std::to_string(records.back().frame)}};
+    return section;
+}
+
+} // namespace
+
+Section figure4(Reproduction& reproduction)
+{
+    return frames_figure(reproduction, "fig4", "Fig. 4: particles at the paper's frames", "particles",
+                         "Particles coloured by speed, the wall translucent; the breach is marked.");
+}
+
+Section figure5(Reproduction& reproduction)
+{
+    return frames_figure(reproduction, "fig5", "Fig. 5: blood at the paper's frames", "fluid",
+                         "The surface of the blood, reconstructed from the particles, coloured by speed.");
+}
+
+Section figure6(Reproduction& reproduction)
+{
+    std::vector<Scenario> scenarios;
+    std::vector<std::string> labels;
+    for (const Variant& v : shape_variants(reproduction)) {
+        scenarios.push_back(with_seed(unbreakable(v.scenario), reproduction.first_seed));
+        labels.push_back(v.name);
+    }
+    reproduction.runs.make(scenarios);
+    Section section{"fig6", "Fig. 6: hemispherical, spherical and piriform aneurysms"};
+    section.text = {"Frame 3000 of walls that are kept from rupturing."};
+    section.pictures = {
+        sheet(reproduction, "fig6", "particles", scenarios, labels, "3000", "Particles by speed."),
+        sheet(reproduction, "fig6", "fluid", scenarios, labels, "3000", "Surface of the blood.")};
+    return section;
+}
+
+Section figure8(Reproduction& reproduction)
+{
+    std::vector<Scenario> scenarios;
+    std::vector<std::string> labels;
+    for (const Variant& v : angle_variants(reproduction)) {
+        scenarios.push_back(with_seed(unbreakable(v.scenario), reproduction.first_seed));
+        labels.push_back(v.name);
+    }
+    reproduction.runs.make(scenarios);
+    Section section{"fig8", "Fig. 8: bifurcation angles of 30, 40, 60 and 75 degrees"};
+    section.text = {"Frame 2500 of walls that are kept from rupturing."};
+    section.pictures = {
+        sheet(reproduction, "fig8", "particles", scenarios, labels, "2500", "Particles by speed."),
+        sheet(reproduction, "fig8", "fluid", scenarios, labels, "2500", "Surface of the blood.")};
+    ResultTable table{
+        "",
+        {"angle", "mean F_b, frames 400-2500 [N]", "R at 2500 [m]", "largest density error before the end"},
+        {}};
+    for (std::size_t k = 0; k < scenarios.size(); ++k) {
+        const std::vector<FrameRecord> records = reproduction.runs.records(scenarios[k]);
+        double sum = 0;
+        double density = 0;
+        for (std::size_t n = 400; n < records.size(); ++n) {
+            sum += records[n].impact_force / static_cast<double>(records.size() - 400);
+            density = std::max(density, records[n].density_error_max);
+        }
+        table.rows.push_back(
+            {labels[k], number(sum), number(records.back().radius), number(100 * density, 3) + " %"});
+    }
+    section.tables = {table};
+    return section;
+}
+
+} // namespace aneurysm::verification

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "verification/reproduce/context.hpp"
+
+#include <string>
+#include <vector>
+
+namespace aneurysm::verification
+{
+
+/// How the impact force (16) depends on the particle spacing, in an artery whose sac doesn't grow: literally,
+/// and per area of a particle. What follows from it is added to `text`.
+ResultTable resolution_study(Reproduction& reproduction, const Scenario& scenario,
+                             std::vector<std::string>& text);
+
+} // namespace aneurysm::verification
