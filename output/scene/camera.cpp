@@ -70,19 +70,23 @@ void look(vtkRenderer& renderer, const Vessel& vessel, View view, double width, 
                     std::cos(around * radian) * std::cos(above * radian)};
     const Vec3 right{std::cos(around * radian), 0, -std::sin(around * radian)};
     const Vec3 up = cross(back, right);
-    double left_most = 1e9, right_most = -1e9, low_most = 1e9, high_most = -1e9, front = -1e9;
+    double left_most = 1e9, right_most = -1e9, low_most = 1e9, high_most = -1e9;
     for (const Ball& ball : balls_of(vessel, view)) {
         left_most = std::min(left_most, dot(ball.center, right) - ball.radius);
         right_most = std::max(right_most, dot(ball.center, right) + ball.radius);
         low_most = std::min(low_most, dot(ball.center, up) - ball.radius);
         high_most = std::max(high_most, dot(ball.center, up) + ball.radius);
-        front = std::max(front, dot(ball.center, back) + ball.radius);
     }
     const Vec3 middle = 0.5 * (left_most + right_most) * right + 0.5 * (low_most + high_most) * up;
     const double aspect = renderer.GetTiledAspectRatio();
-    const double half =
-        0.5 * std::max((high_most - low_most) / height, (right_most - left_most) / (width * aspect));
-    const double distance = half / std::tan(0.5 * opening_angle * radian) + front;
+    const double slope = std::tan(0.5 * opening_angle * radian); // of the picture's upper edge
+    double distance = 0;
+    for (const Ball& ball : balls_of(vessel, view)) {
+        const Vec3 offset = ball.center - middle;
+        const double across = (std::abs(dot(offset, right)) + ball.radius) / (width * aspect);
+        const double along = (std::abs(dot(offset, up)) + ball.radius) / height;
+        distance = std::max(distance, std::max(across, along) / slope + dot(offset, back));
+    }
     const Vec3 eye = middle + distance * back;
     vtkCamera& camera = *renderer.GetActiveCamera();
     camera.SetViewAngle(opening_angle);

@@ -87,6 +87,10 @@ void Overlay::set_lying_colour_bar(Quantity quantity, const Range& range)
 {
     bar_->VisibilityOn();
     set_bar(quantity, range);
+    bar_->SetTitle(""); // VTK would draw it over the numbers
+    note_->GetTextProperty()->SetJustificationToRight();
+    note_->SetPosition(0.27, 0.35);
+    note_->SetInput(title_of(quantity).c_str());
     bar_->SetOrientationToHorizontal();
     bar_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     bar_->SetPosition(0.3, 0.05);
