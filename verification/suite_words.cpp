@@ -46,7 +46,8 @@ std::string_view meaning_of(Level level)
     case Level::metamorphic:
         return "The same run told differently (in other units, interrupted, on more threads, moved in "
                "space): "
-               "the result must be the same to the last bit.";
+               "the result must be the same to the last bit, or within rounding where a sum runs in another "
+               "order.";
     case Level::executors:
         return "The fast versions of the program against the plain one that reads like the paper. This shows "
                "that they are equivalent; that they are right follows from the other levels.";

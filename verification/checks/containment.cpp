@@ -31,7 +31,8 @@ void containment(Probe& probe)
         "distance of blood beyond the wall of radius R + u [m]", Source::rounding,
         "gamma_64 of the place's size: the foot of the normal is found to that, and the distance is computed "
         "again in double");
-    Quantity& outside = probe.quantity("particles that no normal led back", Source::exact, "integers: none");
+    Quantity& outside = probe.quantity("particles that no normal led back", Source::exact,
+                                       "integers: none, a normal leads back to the wall");
     Quantity& touching =
         probe.quantity("frames in which blood was put back", Source::exact,
                        "a claim: more than one, with the wall displaced; else nothing was held");
