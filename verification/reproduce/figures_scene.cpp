@@ -133,13 +133,13 @@ Section frames_figure(Reproduction& reproduction, const std::string& id, const s
 Section figure4(Reproduction& reproduction)
 {
     return frames_figure(reproduction, "fig4", "Fig. 4: particles at the paper's frames", "particles",
-                         "Particles coloured by speed, the wall translucent; the breach is marked.");
+                         "Particles coloured by speed, the wall translucent; orange: the rim of the breach.");
 }
 
 Section figure5(Reproduction& reproduction)
 {
     return frames_figure(reproduction, "fig5", "Fig. 5: blood at the paper's frames", "fluid",
-                         "The surface of the blood, reconstructed from the particles, coloured by speed.");
+                         "The surface of the blood, reconstructed from the particles; orange: the rim of the breach.");
 }
 
 Section figure6(Reproduction& reproduction)
