@@ -138,8 +138,9 @@ Section figure4(Reproduction& reproduction)
 
 Section figure5(Reproduction& reproduction)
 {
-    return frames_figure(reproduction, "fig5", "Fig. 5: blood at the paper's frames", "fluid",
-                         "The surface of the blood, reconstructed from the particles; orange: the rim of the breach.");
+    return frames_figure(
+        reproduction, "fig5", "Fig. 5: blood at the paper's frames", "fluid",
+        "The surface of the blood, reconstructed from the particles; orange: the rim of the breach.");
 }
 
 Section figure6(Reproduction& reproduction)

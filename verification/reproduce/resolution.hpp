@@ -11,7 +11,6 @@ namespace aneurysm::verification
 
 /// How the impact force (16) depends on the particle spacing, in an artery whose sac doesn't grow: literally,
 /// and per area of a particle. What follows from it is added to `text`.
-ResultTable resolution_study(Reproduction& reproduction, const Scenario& scenario,
-                             std::vector<std::string>& text);
+ResultTable resolution_study(Reproduction& reproduction, std::vector<std::string>& text);
 
 } // namespace aneurysm::verification

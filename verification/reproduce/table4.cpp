@@ -260,7 +260,7 @@ Section table4(Reproduction& reproduction)
         "exactly; the live runs below rupture in the same frames."};
     section.tables = {frames_table(results), reasons_table(results, scenario.rupture.yield_limit_pa),
                       live_table(reproduction, choose_live_runs(scenario, results, members)),
-                      seeds_table(results, members), resolution_study(reproduction, scenario, section.text)};
+                      seeds_table(results, members), resolution_study(reproduction, section.text)};
     section.claims = claims_about(results);
     PlotPanel panel{"Frame of rupture", "row of Table 4", "frame", {}, true};
     PlotSeries theirs{"paper", {}, {}, "points", 1};
