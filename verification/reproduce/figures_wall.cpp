@@ -183,7 +183,7 @@ std::vector<Claim> claims_about(const std::vector<Shape>& all)
         thresholds.push_back(mean_at(shape, early, &WallFrame::critical_pressure));
         pressures += (pressures.empty() ? "" : ", ") + shape.name + " " + number(thresholds.back());
     }
-    return {{"The hemispherical aneurysm is fully developed first, from about frame 1600",
+    return {{"The hemispherical aneurysm is fully developed first (paper: from about frame 1600)",
              developed[0] < developed[1] && developed[0] < developed[2], "mean frame: " + when},
             {"Before full development the thresholds of hemispherical and spherical sacs are alike and the "
              "piriform one's is the lowest",
