@@ -37,7 +37,7 @@ const std::vector<Check>& all_checks()
                  hydrostatics_checks,    wall_history_checks, laminar_flow_checks,
                  taylor_green_checks,    containment_checks,  metamorphic_checks,
                  executor_checks,        neighborhood_checks, wall_cloud_checks,
-                 same_run_checks,        vessel_shape_checks,
+                 same_run_checks,        vessel_shape_checks, open_end_checks,
              }) {
             std::vector<Check> more = of_subject();
             all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));

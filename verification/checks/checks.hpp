@@ -38,6 +38,7 @@ std::vector<Check> containment_checks();
 std::vector<Check> duct_checks();
 std::vector<Check> duct_flow_checks();
 std::vector<Check> hydrostatics_checks();
+std::vector<Check> open_end_checks();
 std::vector<Check> wall_history_checks();
 // L3
 std::vector<Check> laminar_flow_checks();
