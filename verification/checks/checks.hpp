@@ -11,6 +11,7 @@ namespace aneurysm::verification
 std::vector<Check> oracle_flow_checks();
 std::vector<Check> oracle_duct_checks();
 std::vector<Check> oracle_lattice_checks();
+std::vector<Check> oracle_pair_checks();
 std::vector<Check> oracle_row_checks();
 
 // L0
