@@ -179,6 +179,29 @@ BOOST_AUTO_TEST_CASE(verdicts)
     BOOST_TEST((excused.verdict == Verdict::fails)); // no excuse
 }
 
+BOOST_AUTO_TEST_CASE(the_first_failure_ends_a_check_where_that_is_asked_for)
+{
+    int compared = 0;
+    const auto run = [&compared](Probe& probe) {
+        Quantity& x = probe.quantity("x", Source::exact, "what the test says");
+        for (const double value : {1.0, 2.0, 1.0}) {
+            x.within(value, 1, 0);
+            ++compared;
+        }
+    };
+
+    const CheckResult whole = outcome(run);
+    BOOST_TEST(compared == 3);
+    compared = 0;
+    Quantity::first_failure_ends = true;
+    const CheckResult ended = outcome(run);
+    Quantity::first_failure_ends = false;
+
+    BOOST_TEST(compared == 1);
+    BOOST_TEST((ended.verdict == Verdict::fails));
+    BOOST_TEST(ended.message == whole.message);
+}
+
 BOOST_AUTO_TEST_CASE(checks_are_chosen_by_words_equations_and_levels)
 {
     BOOST_TEST(selected({}, false) == "eq08_balance poiseuille_channel");

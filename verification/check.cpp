@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace aneurysm::verification
 {
@@ -58,6 +57,14 @@ bool Quantity::within(double value, double expected, double allowed, std::string
     if (ratio > worst_.ratio || worst_.ratio < 0) {
         worst_ = {value, expected, error, allowed, ratio, std::string(where)};
     }
+    return judged(good);
+}
+
+bool Quantity::judged(bool good) const
+{
+    if (!good && first_failure_ends) {
+        throw FirstFailure(name_);
+    }
     return good;
 }
 
@@ -89,7 +96,7 @@ bool Quantity::found(std::int64_t compared, std::int64_t failed, double error, d
     const bool good = within(error, 0, allowed, where) && failed == 0;
     compared_ += compared - 1;
     failed_ += std::max<std::int64_t>(failed - (error <= allowed ? 0 : 1), 0);
-    return good;
+    return judged(good);
 }
 
 bool Quantity::holds(bool claim, std::string_view where)

@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -48,10 +49,20 @@ enum class Source {
     statistics, ///< a confidence interval
 };
 
+/// Ends a check at its first comparison that fails, see Quantity::first_failure_ends.
+class FirstFailure : public std::runtime_error
+{
+    using std::runtime_error::runtime_error;
+};
+
 /// One thing that a check compares, many times if need be: one line of the tolerance ledger.
 class Quantity
 {
 public:
+    /// Whether a comparison that fails throws FirstFailure: where a fault is planted, all that is asked is
+    /// whether any fails. Set it while no check runs.
+    static inline bool first_failure_ends = false;
+
     /// `derivation`: how the bound follows, as a formula with its reason; never empty.
     Quantity(std::string name, Source source, std::string derivation);
 
@@ -93,6 +104,9 @@ public:
     bool loose() const;
 
 private:
+    /// `good`, unless the check ends here.
+    bool judged(bool good) const;
+
     std::string name_;
     Source source_;
     std::string derivation_;

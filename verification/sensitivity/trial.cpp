@@ -58,6 +58,7 @@ std::string run(const Case& c, const std::optional<Fault>& fault, double limit_s
     analytic::gsl_return_errors();
     if (fault) {
         faults::planted = *fault;
+        Quantity::first_failure_ends = true;
     }
     const CheckResult result = run_check(*c.check, *c.subject);
     const Reached reached = reached_places();
