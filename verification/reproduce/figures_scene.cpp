@@ -137,6 +137,30 @@ Section frames_figure(Reproduction& reproduction, const std::string& id, const s
     return section;
 }
 
+/// The first seed of a variant, with a wall that holds.
+Scenario first_run(const Reproduction& reproduction, const Variant& variant)
+{
+    return with_seed(unbreakable(variant.scenario), reproduction.first_seed);
+}
+
+/// Variants side by side in one frame: particles, and the blood's surface.
+Section variants_figure(Reproduction& reproduction, const std::vector<Variant>& variants,
+                        const std::string& frame, Section section)
+{
+    std::vector<Scenario> scenarios;
+    std::vector<std::string> labels;
+    for (const Variant& v : variants) {
+        scenarios.push_back(first_run(reproduction, v));
+        labels.push_back(v.name);
+    }
+    reproduction.runs.make(scenarios);
+    section.text = {"Frame " + frame + " of walls that are kept from rupturing."};
+    section.pictures = {
+        sheet(reproduction, section.id, "particles", scenarios, labels, frame, "Particles by speed."),
+        sheet(reproduction, section.id, "fluid", scenarios, labels, frame, "Surface of the blood.")};
+    return section;
+}
+
 } // namespace
 
 Section figure4(Reproduction& reproduction)
@@ -154,41 +178,21 @@ Section figure5(Reproduction& reproduction)
 
 Section figure6(Reproduction& reproduction)
 {
-    std::vector<Scenario> scenarios;
-    std::vector<std::string> labels;
-    for (const Variant& v : shape_variants(reproduction)) {
-        scenarios.push_back(with_seed(unbreakable(v.scenario), reproduction.first_seed));
-        labels.push_back(v.name);
-    }
-    reproduction.runs.make(scenarios);
-    Section section{"fig6", "Fig. 6: hemispherical, spherical and piriform aneurysms"};
-    section.text = {"Frame 3000 of walls that are kept from rupturing."};
-    section.pictures = {
-        sheet(reproduction, "fig6", "particles", scenarios, labels, "3000", "Particles by speed."),
-        sheet(reproduction, "fig6", "fluid", scenarios, labels, "3000", "Surface of the blood.")};
-    return section;
+    return variants_figure(reproduction, shape_variants(reproduction), "3000",
+                           {"fig6", "Fig. 6: hemispherical, spherical and piriform aneurysms"});
 }
 
 Section figure8(Reproduction& reproduction)
 {
-    std::vector<Scenario> scenarios;
-    std::vector<std::string> labels;
-    for (const Variant& v : angle_variants(reproduction)) {
-        scenarios.push_back(with_seed(unbreakable(v.scenario), reproduction.first_seed));
-        labels.push_back(v.name);
-    }
-    reproduction.runs.make(scenarios);
-    Section section{"fig8", "Fig. 8: bifurcation angles of 30, 40, 60 and 75 degrees"};
-    section.text = {"Frame 2500 of walls that are kept from rupturing."};
-    section.pictures = {
-        sheet(reproduction, "fig8", "particles", scenarios, labels, "2500", "Particles by speed."),
-        sheet(reproduction, "fig8", "fluid", scenarios, labels, "2500", "Surface of the blood.")};
+    const std::vector<Variant> angles = angle_variants(reproduction);
+    Section section = variants_figure(reproduction, angles, "2500",
+                                      {"fig8", "Fig. 8: bifurcation angles of 30, 40, 60 and 75 degrees"});
     ResultTable table{
         "",
         {"angle", "mean F_b, frames 400-2500 [N]", "R at 2500 [m]", "largest density error before the end"},
         {}};
-    for (std::size_t k = 0; k < scenarios.size(); ++k) {
-        const std::vector<FrameRecord> records = reproduction.runs.records(scenarios[k]);
+    for (const Variant& v : angles) {
+        const std::vector<FrameRecord> records = reproduction.runs.records(first_run(reproduction, v));
         double sum = 0;
         double density = 0;
         for (std::size_t n = 400; n < records.size(); ++n) {
@@ -196,7 +200,7 @@ Section figure8(Reproduction& reproduction)
             density = std::max(density, records[n].density_error_max);
         }
         table.rows.push_back(
-            {labels[k], number(sum), number(records.back().radius), number(100 * density, 3) + " %"});
+            {v.name, number(sum), number(records.back().radius), number(100 * density, 3) + " %"});
     }
     section.tables = {table};
     return section;
