@@ -16,7 +16,8 @@ namespace
 
 constexpr double grace_s = 3;    ///< CPU time that any trial may take [s]
 constexpr double patience = 3;   ///< and how many times what the case takes without a fault
-constexpr double costly_s = 0.2; ///< a case that takes longer isn't tried with every fault
+constexpr double costly_s = 0.2; ///< a case that takes longer isn't tried with every fault,
+constexpr double dear_s = 1;     ///< and one that takes longer than this only until one is found
 constexpr int finest = 52;       ///< the smallest fault is 2^-52, one unit in the last place
 constexpr int coarsest = 0;      ///< and the largest 1
 
@@ -128,7 +129,7 @@ private:
     /// Whether a full study tries this case, found or not: all that look at the backend and list the
     /// equation, and one flow. Costly ones are tried with one kind of fault only: those in coefficients,
     /// which are the hardest to see; a metamorphic relation, which holds whatever a coefficient is, with
-    /// wrong powers.
+    /// wrong powers. The dearest have their own turn, see look().
     static bool is_wanted(const BaselineCase& c, const Fault& fault, bool flow_tried)
     {
         const bool flow = c.what.check->level >= Level::transient;
@@ -136,7 +137,7 @@ private:
         const bool relation = c.what.check->level == Level::metamorphic;
         const faults::Kind kind = relation ? faults::Kind::power : faults::Kind::coefficient;
         const bool affordable = c.result.seconds < costly_s || fault.kind == kind;
-        return is_own(c.what, fault.side) && of_equation && affordable;
+        return is_own(c.what, fault.side) && of_equation && affordable && c.result.seconds < dear_s;
     }
 
     /// What else computes with the place is tried only as long as nothing has found the fault.
@@ -186,18 +187,12 @@ private:
 
     void look(Sight& sight, Turn& turn)
     {
-        const std::size_t column = column_of(sight.check);
         const BaselineCase& c = *case_of(sight.check, sight.side);
-        std::vector<Place> seen; // with a coefficient of an equation of its own
-        for (const FaultRow& row : result_.rows) {
-            if (row.fault.side == sight.side && row.cells[column] == Cell::red) {
-                sight.sees = true;
-                if (row.fault.kind == faults::Kind::coefficient && has_coefficient(row.fault.place) &&
-                    lists(*sight.check, row.fault.place)) {
-                    seen.push_back(row.fault.place);
-                }
-            }
+        std::vector<Place> seen = seen_places(sight); // with a coefficient of an equation of its own
+        if (seen.empty() && sight.check->level != Level::metamorphic) {
+            seen = first_seen(sight, c, turn);
         }
+        sight.sees = sight.sees || !seen.empty();
         if (!sight.sees) {
             look_everywhere(sight, c, turn);
         }
@@ -208,11 +203,47 @@ private:
         sight.argument = argument_for(*sight.check, sight.side);
     }
 
-    /// Wrong signs, then wrong powers and values from before, at all places that the check computes with,
+    /// From the faults' rows.
+    std::vector<Place> seen_places(Sight& sight) const
+    {
+        const std::size_t column = column_of(sight.check);
+        std::vector<Place> seen;
+        for (const FaultRow& row : result_.rows) {
+            if (row.fault.side == sight.side && row.cells[column] == Cell::red) {
+                sight.sees = true;
+                if (row.fault.kind == faults::Kind::coefficient &&
+                    is_own_coefficient(sight, row.fault.place)) {
+                    seen.push_back(row.fault.place);
+                }
+            }
+        }
+        return seen;
+    }
+
+    static bool is_own_coefficient(const Sight& sight, Place place)
+    {
+        return has_coefficient(place) && lists(*sight.check, place);
+    }
+
+    /// The first place of its own equations where it sees a wrong coefficient.
+    std::vector<Place> first_seen(const Sight& sight, const BaselineCase& c, Turn& turn)
+    {
+        for (std::size_t k = 0; k < place_count; ++k) {
+            const auto place = static_cast<Place>(k);
+            const Fault fault{place, sight.side, faults::Kind::coefficient, fault_size};
+            if (is_own_coefficient(sight, place) && reaches(c, sight.side, place) &&
+                tried(c, fault, turn).red()) {
+                return {place};
+            }
+        }
+        return {};
+    }
+
+    /// Values from before, then wrong signs and wrong powers, at all places that the check computes with,
     /// until one turns it red.
     void look_everywhere(Sight& sight, const BaselineCase& c, Turn& turn)
     {
-        for (const faults::Kind kind : {faults::Kind::sign, faults::Kind::power, faults::Kind::off_by_one}) {
+        for (const faults::Kind kind : {faults::Kind::off_by_one, faults::Kind::sign, faults::Kind::power}) {
             for (std::size_t k = 0; k < place_count && !sight.sees; ++k) {
                 const auto place = static_cast<Place>(k);
                 if (reaches(c, sight.side, place)) {
