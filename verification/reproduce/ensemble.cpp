@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/reproduce/ensemble.hpp"
 
+#include "common/error.hpp"
 #include "verification/reproduce/wall_history.hpp"
 
 #include <algorithm>
@@ -31,6 +32,18 @@ Scenario with_wall(Scenario scenario, const RuptureRow& row)
     return scenario;
 }
 
+std::vector<FrameRecord> steady_records(const RunStore& runs, const Scenario& scenario)
+{
+    std::vector<FrameRecord> records = runs.records(scenario);
+    const auto dry = std::ranges::find_if(records, [](const FrameRecord& r) { return r.ledger.missed > 0; });
+    if (dry != records.end()) {
+        throw Error(scenario.name + ", frame " + std::to_string(dry->frame),
+                    "the reserve ran dry: the inflow has had holes since",
+                    "needed: a larger particles.reserve_fraction");
+    }
+    return records;
+}
+
 std::vector<Member> ensemble(RunStore& runs, const Scenario& scenario, int first_seed, int count)
 {
     std::vector<Scenario> scenarios;
@@ -40,7 +53,7 @@ std::vector<Member> ensemble(RunStore& runs, const Scenario& scenario, int first
     runs.make(scenarios);
     std::vector<Member> members;
     for (int k = 0; k < count; ++k) {
-        members.push_back({first_seed + k, runs.records(scenarios.at(static_cast<std::size_t>(k)))});
+        members.push_back({first_seed + k, steady_records(runs, scenarios.at(static_cast<std::size_t>(k)))});
     }
     return members;
 }

@@ -28,7 +28,10 @@ struct Member {
     int seed = 0;
     std::vector<FrameRecord> records;
 };
-/// Makes those that are missing, of seeds first, first + 1, ...
+/// Of a run that was made. \throws Error where the reserve ran dry, which leaves holes in the inflow
+std::vector<FrameRecord> steady_records(const RunStore& runs, const Scenario& scenario);
+
+/// Makes those that are missing, of seeds first, first + 1, ... \throws Error, see steady_records
 std::vector<Member> ensemble(RunStore& runs, const Scenario& scenario, int first_seed, int count);
 
 /// Frames of rupture of one wall by its yield limit: (13) is proportional to Y, and (22) and (23) don't know

@@ -192,7 +192,8 @@ Section figure8(Reproduction& reproduction)
         {"angle", "mean F_b, frames 400-2500 [N]", "R at 2500 [m]", "largest density error before the end"},
         {}};
     for (const Variant& v : angles) {
-        const std::vector<FrameRecord> records = reproduction.runs.records(first_run(reproduction, v));
+        const std::vector<FrameRecord> records =
+            steady_records(reproduction.runs, first_run(reproduction, v));
         double sum = 0;
         double density = 0;
         for (std::size_t n = 400; n < records.size(); ++n) {

@@ -33,7 +33,8 @@ def draw(axes, panel):
         axes.set_yscale("log")
     else:
         axes.set_ylim(0, panel["y_top"] or None)
-    axes.margins(x=0)
+    marks = any(series["style"] in ("points", "dots") for series in panel["series"])
+    axes.margins(x=0.02 if marks else 0)
     axes.grid(color="0.9", lw=0.6)
     axes.spines[["top", "right"]].set_visible(False)
     if axes.get_legend_handles_labels()[0]:
