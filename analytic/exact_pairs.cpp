@@ -64,7 +64,8 @@ void for_each_image(const Cloud& c, std::size_t i, Visit visit)
     const Precise support = 2 * Precise(c.h);
     for (std::size_t j = 0; j < c.position.size(); ++j) {
         for (int image = 0; image < 27; ++image) {
-            const Vector3d shift(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
+            const Eigen::Vector3i cell(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
+            const Vector3d shift = cell.cast<double>();
             const Vector3d x = c.position[i] - c.position[j] + c.period * shift;
             Precise square = 0;
             for (const double component : x) {

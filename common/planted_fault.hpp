@@ -74,6 +74,7 @@ concept Several = requires(T x)
     x.v[0];
 };
 template <Several T>
+// NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of numbers, not a pointer
 inline constexpr std::size_t size_of = sizeof(T::v) / sizeof(std::declval<T>().v[0]);
 
 template <std::floating_point T>

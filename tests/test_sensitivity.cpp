@@ -68,6 +68,7 @@ Check check(std::string_view id, std::string_view equation, void (*run)(Probe&))
 SensitivityStudy run_study(const std::vector<Check>& checks, const StudyOptions& options)
 {
     std::vector<const Check*> chosen;
+    chosen.reserve(checks.size());
     for (const Check& c : checks) {
         chosen.push_back(&c);
     }

@@ -4,6 +4,7 @@
 
 #include "verification/checks/vectors.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -49,9 +50,9 @@ inline std::string at(std::initializer_list<std::pair<const char*, double>> argu
 {
     std::string text;
     for (const auto& [name, value] : arguments) {
-        char number[32];
-        std::snprintf(number, sizeof number, "%.9g", value);
-        text.append(text.empty() ? "" : ", ").append(name).append(" = ").append(number);
+        std::array<char, 32> number{};
+        std::snprintf(number.data(), number.size(), "%.9g", value);
+        text.append(text.empty() ? "" : ", ").append(name).append(" = ").append(number.data());
     }
     return text;
 }

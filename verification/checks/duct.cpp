@@ -236,7 +236,7 @@ void pipe_loss(Probe& probe)
     Series mean{"mean velocity", {}, {}, false};
     Series axis{"velocity near the axis", {}, {}, false};
     Series outflow{"outflow", {}, {}, false};
-    for (const int cells : {6, 12, 24}) {
+    for (const std::int64_t cells : {6, 12, 24}) {
         Scenario s = shipped_scenario("verify_pipe");
         s.particles.count = 124 * (cells + 6);
         s.domain.cells_y = cells;

@@ -32,7 +32,8 @@ Cloud cloud_of(KernelName kernel, double ratio)
     c.h = ratio * dx;
     c.period = cells * dx;
     for (int k = 0; k < cells * cells * cells; ++k) {
-        const Vector3d cell(k % cells, k / cells % cells, k / (cells * cells));
+        const Eigen::Vector3i place(k % cells, k / cells % cells, k / (cells * cells));
+        const Vector3d cell = place.cast<double>();
         const Vector3d jitter(random(), random(), random());
         c.position.emplace_back(dx * cell + Vector3d::Constant(dx / 2) + 0x1p-5 * jitter);
         c.velocity.emplace_back(random(), random(), random());

@@ -47,11 +47,13 @@ std::vector<FrameRecord> steady_records(const RunStore& runs, const Scenario& sc
 std::vector<Member> ensemble(RunStore& runs, const Scenario& scenario, int first_seed, int count)
 {
     std::vector<Scenario> scenarios;
+    scenarios.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) {
         scenarios.push_back(with_seed(unbreakable(scenario), first_seed + k));
     }
     runs.make(scenarios);
     std::vector<Member> members;
+    members.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) {
         members.push_back({first_seed + k, steady_records(runs, scenarios.at(static_cast<std::size_t>(k)))});
     }

@@ -31,6 +31,7 @@ Picture sheet(Reproduction& reproduction, const std::string& id, const std::stri
 {
     const std::filesystem::path folder = reproduction.folder(id) / state;
     std::vector<std::string> words;
+    words.reserve(scenarios.size());
     for (const Scenario& scenario : scenarios) {
         words.push_back(reproduction.runs.directory(scenario).string());
     }

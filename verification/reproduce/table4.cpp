@@ -161,6 +161,7 @@ Spread crests(const std::vector<Member>& members, std::size_t half_cycle)
 std::string falls(const std::vector<RowResult>& results)
 {
     std::vector<double> strengths;
+    strengths.reserve(results.size());
     for (const RowResult& r : results) {
         strengths.push_back((2 - r.row.sigma) / ((1 + r.row.sigma) * r.row.phi));
     }
@@ -316,7 +317,7 @@ Section table4(Reproduction& reproduction)
     PlotSeries ours{"mean of the seeds", {}, {}, "points", 0};
     PlotSeries single{"single seeds", {}, {}, "dots", 5};
     for (std::size_t k = 0; k < results.size(); ++k) {
-        const double x = static_cast<double>(k + 1);
+        const auto x = static_cast<double>(k + 1);
         theirs.x.push_back(x);
         theirs.y.push_back(paper[k]);
         ours.x.push_back(x);

@@ -55,7 +55,7 @@ public:
 
     void run()
     {
-        share("case", result_.baseline, [this](BaselineCase& c, Turn& turn) {
+        share("case", result_.baseline, [](BaselineCase& c, Turn& turn) {
             constexpr double limit_s = 3600;
             c.result = run_trial(c.what, std::nullopt, limit_s, turn);
             return c.what.name();
@@ -95,7 +95,7 @@ private:
         }
     }
 
-    TrialResult tried(const BaselineCase& c, const Fault& fault, Turn& turn)
+    static TrialResult tried(const BaselineCase& c, const Fault& fault, Turn& turn)
     {
         return run_trial(c.what, fault, grace_s + patience * c.result.seconds, turn);
     }
@@ -226,7 +226,7 @@ private:
     }
 
     /// The first place of its own equations where it sees a wrong coefficient.
-    std::vector<Place> first_seen(const Sight& sight, const BaselineCase& c, Turn& turn)
+    static std::vector<Place> first_seen(const Sight& sight, const BaselineCase& c, Turn& turn)
     {
         for (std::size_t k = 0; k < place_count; ++k) {
             const auto place = static_cast<Place>(k);
@@ -241,7 +241,7 @@ private:
 
     /// Values from before, then wrong signs and wrong powers, at all places that the check computes with,
     /// until one turns it red.
-    void look_everywhere(Sight& sight, const BaselineCase& c, Turn& turn)
+    static void look_everywhere(Sight& sight, const BaselineCase& c, Turn& turn)
     {
         for (const faults::Kind kind : {faults::Kind::off_by_one, faults::Kind::sign, faults::Kind::power}) {
             for (std::size_t k = 0; k < place_count && !sight.sees; ++k) {
@@ -254,7 +254,7 @@ private:
     }
 
     /// Bisection on 2^0 ... 2^-52, from what another place has reached already.
-    void refine(int& finest_red, Sight& sight, const BaselineCase& c, Place place, Turn& turn)
+    static void refine(int& finest_red, Sight& sight, const BaselineCase& c, Place place, Turn& turn)
     {
         const auto is_red = [&](int k) {
             const Fault fault{place, sight.side, faults::Kind::coefficient, std::ldexp(1, -k)};
