@@ -97,6 +97,7 @@ ExactPairs exact_pairs(const Cloud& c, double mu, double rho_0, std::size_t i)
 {
     const double H = 2 * c.h;
     const double largest_slope = exact_kernel(c.kernel, c.h, 0, 0).value / c.h; // its order of magnitude
+    const double largest_laplacian = 45 / (std::acos(-1.0) * std::pow(H, 5));
     ExactSum rate;
     ExactSum density;
     ExactSum squares;
@@ -130,7 +131,6 @@ ExactPairs exact_pairs(const Cloud& c, double mu, double rho_0, std::size_t i)
             }
         }
         const Estimate lap = exact_viscosity_laplacian(H, r);
-        const double largest_laplacian = 45 / (std::acos(-1.0) * std::pow(H, 5));
         const double of_lap = lap.error + u * std::abs(lap.value) + 4 * u * r / H * largest_laplacian;
         add(viscosity_force, Precise(mu) * m / c.density[j] * lap.value, v, u * v.cwiseAbs().maxCoeff());
         for (ExactSum& component : viscosity_force) {

@@ -150,6 +150,17 @@ BOOST_AUTO_TEST_CASE(a_failed_run_is_said_and_the_others_keep_their_rows)
     BOOST_CHECK_THROW(runs.make({bad}), SimulationError);
 }
 
+BOOST_AUTO_TEST_CASE(an_ensemble_whose_reserve_ran_dry_is_refused)
+{
+    const Scratch scratch;
+    RunStore runs(scratch.path, cpu, 1);
+    Scenario scenario = quick();
+    scenario.time.frames = 60;
+    BOOST_TEST(ensemble(runs, scenario, 1, 1).size() == 1U);
+    scenario.particles.reserve_fraction = 0;
+    BOOST_CHECK_THROW(ensemble(runs, scenario, 1, 1), Error);
+}
+
 BOOST_AUTO_TEST_CASE(a_calibration_finds_the_values_that_made_its_rows)
 {
     const Scratch scratch;

@@ -38,7 +38,7 @@ const std::vector<Check>& all_checks()
                  taylor_green_checks,    containment_checks,  metamorphic_checks,
                  executor_checks,        neighborhood_checks, wall_cloud_checks,
                  same_run_checks,        vessel_shape_checks, open_end_checks,
-                 oracle_pair_checks,
+                 oracle_pair_checks,     pipe_checks,
              }) {
             std::vector<Check> more = of_subject();
             all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));

@@ -43,6 +43,7 @@ std::vector<Check> open_end_checks();
 std::vector<Check> wall_history_checks();
 // L3
 std::vector<Check> laminar_flow_checks();
+std::vector<Check> pipe_checks();
 std::vector<Check> taylor_green_checks();
 // L4
 std::vector<Check> metamorphic_checks();

@@ -139,22 +139,38 @@ Section frames_figure(Reproduction& reproduction, const std::string& id, const s
 }
 
 /// The first seed of a variant, with a wall that holds.
-Scenario first_run(const Reproduction& reproduction, const Variant& variant)
+struct VariantRun {
+    std::string name;
+    Scenario scenario;
+    std::vector<FrameRecord> records{};
+};
+
+/// Makes those that are missing.
+std::vector<VariantRun> first_runs(Reproduction& reproduction, const std::vector<Variant>& variants)
 {
-    return with_seed(unbreakable(variant.scenario), reproduction.first_seed);
+    std::vector<Scenario> scenarios;
+    std::vector<VariantRun> runs;
+    for (const Variant& v : variants) {
+        scenarios.push_back(with_seed(unbreakable(v.scenario), reproduction.first_seed));
+        runs.push_back({v.name, scenarios.back()});
+    }
+    reproduction.runs.make(scenarios);
+    for (VariantRun& run : runs) {
+        run.records = steady_records(reproduction.runs, run.scenario);
+    }
+    return runs;
 }
 
 /// Variants side by side in one frame: particles, and the blood's surface.
-Section variants_figure(Reproduction& reproduction, const std::vector<Variant>& variants,
+Section variants_figure(Reproduction& reproduction, const std::vector<VariantRun>& runs,
                         const std::string& frame, Section section)
 {
     std::vector<Scenario> scenarios;
     std::vector<std::string> labels;
-    for (const Variant& v : variants) {
-        scenarios.push_back(first_run(reproduction, v));
-        labels.push_back(v.name);
+    for (const VariantRun& run : runs) {
+        scenarios.push_back(run.scenario);
+        labels.push_back(run.name);
     }
-    reproduction.runs.make(scenarios);
     section.text = {"Frame " + frame + " of walls that are kept from rupturing."};
     section.pictures = {
         sheet(reproduction, section.id, "particles", scenarios, labels, frame, "Particles by speed."),
@@ -179,22 +195,20 @@ Section figure5(Reproduction& reproduction)
 
 Section figure6(Reproduction& reproduction)
 {
-    return variants_figure(reproduction, shape_variants(reproduction), "3000",
+    return variants_figure(reproduction, first_runs(reproduction, shape_variants(reproduction)), "3000",
                            {"fig6", "Fig. 6: hemispherical, spherical and piriform aneurysms"});
 }
 
 Section figure8(Reproduction& reproduction)
 {
-    const std::vector<Variant> angles = angle_variants(reproduction);
+    const std::vector<VariantRun> angles = first_runs(reproduction, angle_variants(reproduction));
     Section section = variants_figure(reproduction, angles, "2500",
                                       {"fig8", "Fig. 8: bifurcation angles of 30, 40, 60 and 75 degrees"});
     ResultTable table{
         "",
         {"angle", "mean F_b, frames 400-2500 [N]", "R at 2500 [m]", "largest density error before the end"},
         {}};
-    for (const Variant& v : angles) {
-        const std::vector<FrameRecord> records =
-            steady_records(reproduction.runs, first_run(reproduction, v));
+    for (const auto& [name, scenario, records] : angles) {
         double sum = 0;
         double density = 0;
         for (std::size_t n = 400; n < records.size(); ++n) {
@@ -202,7 +216,7 @@ Section figure8(Reproduction& reproduction)
             density = std::max(density, records[n].density_error_max);
         }
         table.rows.push_back(
-            {v.name, number(sum), number(records.back().radius), number(100 * density, 3) + " %"});
+            {name, number(sum), number(records.back().radius), number(100 * density, 3) + " %"});
     }
     section.tables = {table};
     return section;

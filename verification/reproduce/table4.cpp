@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Table 4: in which frame walls of other Poisson's ratios and porosities rupture.
 #include "common/error.hpp"
+#include "reference/rupture.hpp"
 #include "verification/reproduce/ensemble.hpp"
 #include "verification/reproduce/items.hpp"
 #include "verification/reproduce/resolution.hpp"
@@ -163,7 +164,7 @@ std::string falls(const std::vector<RowResult>& results)
     std::vector<double> strengths;
     strengths.reserve(results.size());
     for (const RowResult& r : results) {
-        strengths.push_back((2 - r.row.sigma) / ((1 + r.row.sigma) * r.row.phi));
+        strengths.push_back(reference::critical_pressure(1, 1, 1, r.row.sigma, r.row.phi));
     }
     std::ranges::sort(strengths, std::greater<>());
     std::string words;

@@ -188,6 +188,8 @@ private:
     void look(Sight& sight, Turn& turn)
     {
         const BaselineCase& c = *case_of(sight.check, sight.side);
+        sight.sees =
+            std::ranges::any_of(result_.rows, [&](const FaultRow& row) { return is_red(row, sight); });
         std::vector<Place> seen = seen_places(sight); // with a coefficient of an equation of its own
         if (seen.empty() && sight.check->level != Level::metamorphic) {
             seen = first_seen(sight, c, turn);
@@ -203,18 +205,18 @@ private:
         sight.argument = argument_for(*sight.check, sight.side);
     }
 
-    /// From the faults' rows.
-    std::vector<Place> seen_places(Sight& sight) const
+    bool is_red(const FaultRow& row, const Sight& sight) const
     {
-        const std::size_t column = column_of(sight.check);
+        return row.fault.side == sight.side && row.cells[column_of(sight.check)] == Cell::red;
+    }
+
+    std::vector<Place> seen_places(const Sight& sight) const
+    {
         std::vector<Place> seen;
         for (const FaultRow& row : result_.rows) {
-            if (row.fault.side == sight.side && row.cells[column] == Cell::red) {
-                sight.sees = true;
-                if (row.fault.kind == faults::Kind::coefficient &&
-                    is_own_coefficient(sight, row.fault.place)) {
-                    seen.push_back(row.fault.place);
-                }
+            if (is_red(row, sight) && row.fault.kind == faults::Kind::coefficient &&
+                is_own_coefficient(sight, row.fault.place)) {
+                seen.push_back(row.fault.place);
             }
         }
         return seen;
