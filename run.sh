@@ -4,9 +4,13 @@
 set -eu
 cd "$(dirname "$0")"
 
+quiet=--quiet
+if [ -t 1 ]; then quiet=; fi # ninja shows how far it is
+
 cmake/install_dependencies.sh cmake/dependencies
+echo "== building: ten minutes at first, on two cores"
 cmake --preset release --log-level=WARNING >/dev/null
-cmake --build --preset release --target aneurysm_programs -- --quiet
+cmake --build --preset release --target aneurysm_programs -- $quiet
 
 out=results/paper_tc1
 n=2

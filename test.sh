@@ -15,11 +15,14 @@ case "${1-}" in
     ;;
 esac
 
+quiet=--quiet
+if [ -t 1 ]; then quiet=; fi # ninja shows how far it is
+
 cmake/install_dependencies.sh cmake/dependencies cmake/dependencies-test
 for preset in release sanitize; do
     echo "== $preset"
     cmake --preset $preset --log-level=WARNING >/dev/null
-    cmake --build --preset $preset -- --quiet
+    cmake --build --preset $preset -- $quiet
     case $preset in
     release) ctest --preset $preset ;;
     sanitize) ctest --preset $preset --label-exclude long ;;

@@ -10,14 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace aneurysm::reference
 {
 namespace
 {
-constexpr double settling_correction = 0.25; ///< beta of (3) while a fresh lattice settles
 
 Role role_of(Kind kind)
 {
@@ -403,64 +401,6 @@ void Flow::handle_collisions(SimulationState& state, const Wall& wall, FrameReco
             d = vessel_->wall(p.position[i], wall.radius);
         }
         record.outside += d.value > 1e-9 * dx_ ? 1 : 0; // beyond what rounding leaves
-    }
-}
-
-void Flow::settle(SimulationState& state, const Wall& wall) const
-{
-    // Each round takes out about what is left of the surplus. What never corrects the density doesn't at the
-    // start.
-    const int rounds = scenario_->pressure.density_correction > 0 ? 10 : 0;
-    // At rest a step finds nothing to correct once the mean excess is this; 1.001 leaves room for rounding.
-    const double allowed = 1.001 * solver_.tolerance * dt_ / settling_correction;
-    Particles& p = state.particles;
-    for (int round = 0; round < rounds; ++round) {
-        push_apart(state, wall);
-        const FlowStep step = make_step(state, wall);
-        std::vector<std::size_t> blood;
-        double excess = 0;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            if (p.kind[i] == Kind::fluid) {
-                blood.push_back(i);
-                excess += std::max(step.rho[i] / scenario_->fluid.density_kg_m3 - 1, 0.0);
-            }
-        }
-        if (excess <= allowed * static_cast<double>(blood.size())) {
-            break;
-        }
-        const auto surplus = std::min(blood.size(), static_cast<std::size_t>(std::ceil(excess)));
-        std::ranges::stable_sort(blood, std::greater<>(), [&step](std::size_t i) { return step.rho[i]; });
-        for (std::size_t k = 0; k < surplus; ++k) {
-            p.kind[blood[k]] = Kind::reserve;
-        }
-    }
-    state.ledger = {};
-    std::ranges::fill(p.pressure, scenario_->outlet.pressure_pa);
-}
-
-void Flow::push_apart(SimulationState& state, const Wall& wall) const
-{
-    constexpr int steps = 40; // after 30 the largest excess density no longer falls
-    // Particles too many for the space have no solution, and the more iterations, the higher their pressures:
-    // with 50 the start of 2,200 particles blew up.
-    constexpr std::int64_t iterations = 25;
-    Particles& p = state.particles;
-    IncompressibleSettings settings = solver_;
-    settings.density_correction = settling_correction;
-    settings.max_iterations = std::min(settings.max_iterations, iterations);
-    FrameRecord record;
-    for (int k = 0; k < steps; ++k) {
-        const FlowStep step = make_step(state, wall);
-        std::vector<double> pressure(step.bodies.size(), 0);
-        std::vector<Vec3> a(step.bodies.size());
-        solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, settings, pressure, a);
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            p.position[i] = vessel_->wrapped(p.position[i] + dt_ * dt_ * a[i]);
-        }
-        controller_.push_as_piston(p, 0);
-        handle_collisions(state, wall, record);
-        controller_.exchange(p, state.ledger);
-        p.velocity.assign(p.size(), {});
     }
 }
 
