@@ -145,13 +145,13 @@ ResultTable reasons_table(const std::vector<RowResult>& results, double yield_li
     return table;
 }
 
-/// Largest F_b of each half cycle after the first, over the members [N].
-Spread crests(const std::vector<Member>& members, std::size_t half_cycle)
+/// Largest F_b of each cycle after the first, over the members [N].
+Spread crests(const std::vector<Member>& members, std::size_t cycle)
 {
     std::vector<double> largest;
     for (const Member& member : members) {
-        for (std::size_t k = half_cycle; k + half_cycle <= member.records.size(); k += half_cycle) {
-            const auto part = std::span(member.records).subspan(k, half_cycle);
+        for (std::size_t k = cycle; k + cycle <= member.records.size(); k += cycle) {
+            const auto part = std::span(member.records).subspan(k, cycle);
             largest.push_back(std::ranges::max(part, {}, &FrameRecord::impact_force).impact_force);
         }
     }
@@ -179,8 +179,8 @@ std::string scatter(const Scenario& scenario, const std::vector<RowResult>& resu
                     const std::vector<Member>& members)
 {
     const double cycle = scenario.inlet.cycle_s / scenario.time.frame_s;
-    const Spread s = crests(members, static_cast<std::size_t>(std::llround(cycle / 2)));
-    return "The hardest impact of half a cycle is " + number(s.mean) + " N with a standard deviation of " +
+    const Spread s = crests(members, static_cast<std::size_t>(std::llround(cycle)));
+    return "The hardest impact of a cycle is " + number(s.mean) + " N with a standard deviation of " +
            number(100 * s.deviation / s.mean, 2) +
            " %. From each row to the next weaker one P_c of (13) falls by about as much at the same R and "
            "h: " +
