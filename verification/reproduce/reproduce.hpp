@@ -15,7 +15,7 @@ struct ReproduceOptions {
     std::vector<std::string> items; ///< table1 ... fig10; empty or "all": all
     std::filesystem::path out;
     BackendChoice backend{"cpu", "float", 0, 0};
-    int seeds = 16;                ///< members of an ensemble
+    int seeds = 24;                ///< members of an ensemble
     std::optional<int> first_seed; ///< of the ensemble, or with `calibrate` of the calibration
     int jobs = 0;                  ///< runs at once; 0: one a core
     bool calibrate = false;        ///< fit what the paper doesn't give instead
