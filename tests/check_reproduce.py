@@ -75,6 +75,26 @@ def check_items():
         expect(section["claims"] and all(claim["holds"] for claim in section["claims"]), f"{item}: {section['claims']}")
 
 
+def check_calibrated_values():
+    """What follows from other values is what its reason in the scenario says."""
+    scenario = json.loads((data / "scenarios/calibrated.json").read_text())
+    r_0, inlet = scenario["vessel"]["radius_m"], scenario["inlet"]
+    v_0, cycle = inlet["peak_velocity_m_s"], 0.8
+
+    def near(found, formula, digits, what):
+        expect(abs(found - formula) <= 0.5 * 10**-digits * 1.001, f"calibrated.json: {what}: {found}, not {formula}")
+
+    near(scenario["fluid"]["viscosity_pa_s"], 1000 * v_0 * 2 * r_0 / 100, 3, "viscosity at Re = 100")
+    length = 11 * r_0
+    near(scenario["outlet"]["pressure_pa"], 1000 * length * 2 * math.pi * v_0 / cycle + 1000 * v_0**2 / 2, -3, "outlet")
+    times = inlet["table_time_s"]
+    expect(times == [round(0.02 * k, 2) for k in range(40)], f"calibrated.json: times {times}")
+    for t, v in zip(times, inlet["table_velocity_m_s"], strict=True):
+        from_peak = (t - 0.72 + cycle / 2) % cycle - cycle / 2
+        systole = math.cos(math.pi * from_peak / 0.3) ** 2 if abs(from_peak) < 0.15 else 0
+        near(v, v_0 * (1 + systole) / 2, 4, f"velocity at {t} s")
+
+
 def check_bad_input():
     expect("allowed: all, table1" in reproduce("table5", "--out", scratch / "x", code=2).stderr, "table5")
     expect("--out" in reproduce("table1", code=2).stderr, "no --out")
@@ -100,6 +120,7 @@ def check_interruption():
 
 
 check_items()
+check_calibrated_values()
 check_bad_input()
 check_interruption()
 if failures:
