@@ -54,6 +54,19 @@ Widths measure(const Scenario& scenario)
     return widths;
 }
 
+/// A scenario's value; a list with spaces, so that a table can break it.
+std::string in_words(const nlohmann::json& value)
+{
+    if (!value.is_array()) {
+        return value.dump();
+    }
+    std::string words;
+    for (const nlohmann::json& element : value) {
+        words += (words.empty() ? "" : ", ") + element.dump();
+    }
+    return words;
+}
+
 } // namespace
 
 Section table1(Reproduction& reproduction)
@@ -75,7 +88,7 @@ Section table1(Reproduction& reproduction)
     const Scenario calibrated = calibrated_scenario();
     const nlohmann::json theirs = nlohmann::json::parse(to_json(calibrated));
     for (const auto& [path, reason] : calibrated.assumed) {
-        assumed.rows.push_back({path, theirs.value(pointer(path), nlohmann::json()).dump(), reason});
+        assumed.rows.push_back({path, in_words(theirs.value(pointer(path), nlohmann::json())), reason});
     }
     Section section{"table1", "Table 1: the given values"};
     section.tables = {table, assumed};
