@@ -18,4 +18,4 @@ while [ -e "$out" ]; do
     out=results/paper_tc1-$n
     n=$((n + 1))
 done
-exec build/release/verification/aneurysm run data/scenarios/paper_tc1.json --out "$out" "$@"
+exec build/release/bin/aneurysm run data/scenarios/paper_tc1.json --out "$out" "$@"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analytic/beltrami_flow.hpp"
 
-#include "analytic/precise.hpp"
+#include "analytic/exact/precise.hpp"
 
 #include <array>
 

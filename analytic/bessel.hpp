@@ -35,7 +35,7 @@ ComplexEstimate bessel_by_integral(int n, std::complex<double> z);
 ///
 ///     d^2y/ds^2 + 1/s dy/ds + e^2 y = 0,   y(0) = 1, y'(0) = 0;   J_0 = y, J_1 = -y'/e.
 ///
-/// The error is that of all steps, and holds where neighbouring solutions don't diverge from y: on rays on
+/// The error is that of all steps, and holds where neighboring solutions don't diverge from y: on rays on
 /// which no other grows faster.
 ComplexEstimate bessel_by_ode(int n, std::complex<double> z);
 

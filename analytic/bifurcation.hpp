@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Oracles of section 3.4, (24): Murray's law, from what it minimises.
+// Oracles of section 3.4, (24): Murray's law, from what it minimizes.
 #pragma once
 
 #include "analytic/gsl.hpp"
@@ -16,7 +16,7 @@ struct VesselCost {
 /// Eq. (24)  Cost per length 8 mu Q^2/(pi r^4) + b pi r^2 [W/m].
 double vessel_cost(const VesselCost& cost, double Q, double r);
 
-/// Eq. (24)  The radius that minimises it for the flow Q, as the root of its derivative [m].
+/// Eq. (24)  The radius that minimizes it for the flow Q, as the root of its derivative [m].
 Estimate cheapest_radius(const VesselCost& cost, double Q);
 
 /// Eq. (24)  The same radius by a search for the minimum (gsl_multimin); flat there, so the error is about

@@ -3,7 +3,7 @@
 // symbol of analytic/lattice.hpp. c = cos(k.r_i), s = sin(k.r_i) at the particle in question.
 #pragma once
 
-#include "analytic/lattice.hpp"
+#include "analytic/lattice/lattice.hpp"
 
 namespace aneurysm::analytic
 {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "analytic/gsl.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
 
 #include <Eigen/Core>
 

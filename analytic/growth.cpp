@@ -60,7 +60,7 @@ double column_momentum_rate(double rho_F, double a, double c, double u_t, double
     return mass_set_in_motion * u_t / dt;
 }
 
-double fibre_energy_slope(double K_E, double A_E, double K_C, double A_C, double epsilon)
+double fiber_energy_slope(double K_E, double A_E, double K_C, double A_C, double epsilon)
 {
     constexpr double step = 1e-100;
     const std::complex<double> strain(epsilon, step);

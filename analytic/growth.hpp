@@ -7,7 +7,7 @@
 namespace aneurysm::analytic
 {
 
-/// What resists the growth of a sac: mass, radiation into the tissue fluid, fibres.
+/// What resists the growth of a sac: mass, radiation into the tissue fluid, fibers.
 struct Resistance {
     double m = 0;         ///< [kg]
     double impedance = 0; ///< rho_F a c [kg/s]
@@ -22,7 +22,7 @@ struct Balance {
     Estimate speed;  ///< u_t [m/s]
     Estimate strain; ///< epsilon [1]
     Estimate tissue; ///< F_F [N]
-    Estimate fibres; ///< F_P [N]
+    Estimate fibers; ///< F_P [N]
     Estimate net;    ///< F_T [N]
 };
 
@@ -35,9 +35,9 @@ Balance backward_euler_from_rest(const Resistance& wall, double F_B, double R, d
 /// [N]; relative error 8 u.
 double column_momentum_rate(double rho_F, double a, double c, double u_t, double dt);
 
-/// Eq. (19)  Force of the fibres, the derivative of their energy K A epsilon^2/2 by the complex step [N];
+/// Eq. (19)  Force of the fibers, the derivative of their energy K A epsilon^2/2 by the complex step [N];
 /// relative error 16 u.
-double fibre_energy_slope(double K_E, double A_E, double K_C, double A_C, double epsilon);
+double fiber_energy_slope(double K_E, double A_E, double K_C, double A_C, double epsilon);
 
 /// Eq. (20)  Strain of the sac's circumference: int dl over the grown circle against the old one [1].
 Estimate circumference_strain(double dR, double R);

@@ -111,7 +111,7 @@ Estimate differentiate(Function f, double h)
 }
 
 /// y(x_1) of dy/dx = f(x, y), y(x_0) = y_0, by Prince and Dormand's method of order 8. The error is the
-/// number of steps times what each may add; that is a bound where neighbouring solutions don't diverge.
+/// number of steps times what each may add; that is a bound where neighboring solutions don't diverge.
 template <class Function>
 Estimate integrate_ode(Function f, double x_0, double y_0, double x_1)
 {

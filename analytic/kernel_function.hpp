@@ -4,7 +4,7 @@
 #pragma once
 
 #include "analytic/gsl.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "analytic/relations.hpp"
 
-#include "analytic/precise.hpp"
+#include "analytic/exact/precise.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,7 +87,7 @@ double radiated_power_imbalance(double rho_F, double a, double c, double u_t, do
     return imbalance({Precise(F_F) * u_t, -density_of_energy * volume, -density_of_energy * volume});
 }
 
-double fibre_work_imbalance(const Tissue& w, double epsilon, double F_P)
+double fiber_work_imbalance(const Tissue& w, double epsilon, double F_P)
 {
     const auto energy = [&](double K, double A) { return Precise(Precise(K) * epsilon * epsilon * A / 2); };
     return imbalance({Precise(F_P) * epsilon / 2, -energy(w.K_E, w.A_E), -energy(w.K_C, w.A_C)});

@@ -72,8 +72,8 @@ struct Tissue {
     double m = 0;     ///< [kg]
 };
 
-/// Eq. (19)  Work F_P epsilon/2 of a force that rises in proportion = energy of both fibres.
-double fibre_work_imbalance(const Tissue& tissue, double epsilon, double F_P);
+/// Eq. (19)  Work F_P epsilon/2 of a force that rises in proportion = energy of both fibers.
+double fiber_work_imbalance(const Tissue& tissue, double epsilon, double F_P);
 
 /// Eq. (20)  epsilon R = dR.
 double strain_imbalance(double dR, double R, double epsilon);

@@ -7,7 +7,7 @@
 //     bench_frames data --benchmark_filter='frames/(tc1|tc2|tc3|tc4)/cpu'
 #include "benchmarks/machine.hpp"
 #include "common/error.hpp"
-#include "common/scenario_limits.hpp"
+#include "common/scenario/limits.hpp"
 #include "cuda/simulation.hpp"
 #include "reference/simulation.hpp"
 
@@ -162,7 +162,7 @@ void frames(benchmark::State& state, const Case& c, const std::string& backend, 
         const auto [free, all] = engine.pairs();
         if (pass == "pressure") { // two passes over all pairs of free particles in every evaluation of (3)
             counters["ns_per_pair"] = 1e9 * seconds / (2 * free * (tally.iterations + n));
-        } else if (pass == "neighbours") {
+        } else if (pass == "neighbors") {
             counters["search_ns_per_pair"] = 1e9 * seconds / (all * n);
         }
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "benchmarks/machine.hpp"
 
-#include "cuda/lanes.hpp"
-#include "cuda/team.hpp"
+#include "cuda/executor/lanes.hpp"
+#include "cuda/executor/team.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -31,7 +31,7 @@ double best_of(int runs, const F& f)
     return best;
 }
 
-/// The 32 nearest of a cubic lattice in storage order, for each of its points: as neighbours lie in memory.
+/// The 32 nearest of a cubic lattice in storage order, for each of its points: as neighbors lie in memory.
 std::vector<Index> lattice_lists(Index particles)
 {
     const auto edge = static_cast<Index>(std::cbrt(static_cast<double>(particles)));

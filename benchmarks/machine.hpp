@@ -10,8 +10,8 @@ namespace aneurysm::benchmarks
 /// Bytes read and written a second by copying 256 MiB with this many threads [B/s].
 double copy_bandwidth(int threads);
 
-/// Seconds for one pair of the barest pass over neighbours that there is, in float: eight at once, one
-/// gather, a stored gradient, three multiplications and additions. Lists and neighbours as in a sorted
+/// Seconds for one pair of the barest pass over neighbors that there is, in float: eight at once, one
+/// gather, a stored gradient, three multiplications and additions. Lists and neighbors as in a sorted
 /// lattice of this many particles. [s, of all threads together]
 double bare_pair_seconds(int threads, std::int32_t particles);
 

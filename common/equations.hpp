@@ -64,7 +64,7 @@ inline constexpr std::array<Equation, 29> equations{{
      "a pressure: the scenario's conversion area makes the units honest"},
     {"17", "3.3", "forces on the wall", "net_wall_force", Status::reconstructed, "minus signs restored"},
     {"18", "3.3", "resistance of the tissue fluid", "tissue_force", Status::printed, ""},
-    {"19", "3.3", "resistance of elastin and collagen", "fibre_force", Status::printed,
+    {"19", "3.3", "resistance of elastin and collagen", "fiber_force", Status::printed,
      "the printed stress equals the strain, without a modulus"},
     {"20", "3.3", "strain of the wall", "strain", Status::printed, ""},
     {"21", "3.3", "growth of the radius", "radius_increment", Status::reconstructed,

@@ -13,7 +13,7 @@
 #include <cstdint>
 
 /// A place is one part of one equation's formula, or of the rules that come with it: name, what kind of part,
-/// which backends have it (`optimised`: only that in cuda/), and what it is. A name starts with its equation,
+/// which backends have it (`optimized`: only that in cuda/), and what it is. A name starts with its equation,
 /// or with fig1 (collisions) or sec34 (the particle controller).
 #define ANEURYSM_FAULT_PLACES(PLACE)                                                                         \
     PLACE(eq01_gravity, vector, both, "rho g")                                                               \
@@ -21,13 +21,13 @@
     PLACE(eq01_pressure, vector, both, "F^pressure")                                                         \
     PLACE(eq02_term, term, both, "m_j (v_i - v_j) . grad W_ij")                                              \
     PLACE(eq02_velocity, vector, both, "v_i - v_j")                                                          \
-    PLACE(eq02_ghosts, term, optimised, "the ghosts' part")                                                  \
+    PLACE(eq02_ghosts, term, optimized, "the ghosts' part")                                                  \
     PLACE(eq03_alpha_sum, term, both, "|sum_j m_j grad W_ij|^2 of the DFSPH factor")                         \
     PLACE(eq03_alpha_squares, term, both, "sum_j |m_j grad W_ij|^2 of the DFSPH factor")                     \
     PLACE(eq03_own, term, both, "p_i of the pressure's acceleration")                                        \
     PLACE(eq03_other, term, both, "p_j of the pressure's acceleration")                                      \
     PLACE(eq03_density, factor, both, "rho_0^2 of the pressure's acceleration")                              \
-    PLACE(eq03_ghosts, vector, optimised, "the ghosts' part of the pressure's acceleration")                 \
+    PLACE(eq03_ghosts, vector, optimized, "the ghosts' part of the pressure's acceleration")                 \
     PLACE(eq03_push, vector, both, "dt a, the pressure's part of the velocity")                              \
     PLACE(eq03_density_error, term, both, "beta (rho_i - rho_0) / dt of the residual")                       \
     PLACE(eq03_rate, term, both, "Drho/Dt of the residual")                                                  \
@@ -52,8 +52,8 @@
     PLACE(eq04_slope_outer, term, both, "2 - q of the slope's outer piece")                                  \
     PLACE(eq04_slope_wendland, term, both, "1 - q/2 of the slope of Wendland's kernel")                      \
     PLACE(eq05_term, term, both, "m_j W_ij")                                                                 \
-    PLACE(eq05_self, term, optimised, "m_i W(0)")                                                            \
-    PLACE(eq05_neighbors, count, both, "how many neighbours are found")                                      \
+    PLACE(eq05_self, term, optimized, "m_i W(0)")                                                            \
+    PLACE(eq05_neighbors, count, both, "how many neighbors are found")                                       \
     PLACE(eos_stiffness, factor, both, "kappa")                                                              \
     PLACE(eos_density, term, both, "rho_i")                                                                  \
     PLACE(eos_rest, term, both, "rho_0")                                                                     \
@@ -62,11 +62,11 @@
     PLACE(eq06_mirror, factor, both, "p_i as the pressure of a ghost")                                       \
     PLACE(eq06_density, factor, both, "rho_j")                                                               \
     PLACE(eq06_gradient, vector, both, "grad W_ij")                                                          \
-    PLACE(eq06_ghosts, vector, optimised, "the ghosts' part")                                                \
+    PLACE(eq06_ghosts, vector, optimized, "the ghosts' part")                                                \
     PLACE(eq07_viscosity, factor, both, "mu")                                                                \
     PLACE(eq07_density, factor, both, "rho_j")                                                               \
     PLACE(eq07_difference, vector, both, "v_j - v_i")                                                        \
-    PLACE(eq07_ghosts, vector, optimised, "v_j - v_i of ghosts")                                             \
+    PLACE(eq07_ghosts, vector, optimized, "v_j - v_i of ghosts")                                             \
     PLACE(eq07_norm, factor, both, "45/(pi H^6) of the viscosity kernel's Laplacian")                        \
     PLACE(eq07_distance, term, both, "H - r of the viscosity kernel's Laplacian")                            \
     PLACE(eq07_support, limit, both, "H, where the viscosity kernel ends")                                   \

@@ -34,7 +34,7 @@ enum class Kind : std::uint8_t {
     sign,        ///< -x; of a condition: its opposite
     power,       ///< |x|^(1 + size) with the sign of x; of a vector, the wrong index: (z, x, y)
     dropped,     ///< left out
-    off_by_one,  ///< the value before: of the neighbour before in a sum, of the call before elsewhere; of a
+    off_by_one,  ///< the value before: of the neighbor before in a sum, of the call before elsewhere; of a
                  ///< count one too few
 };
 
@@ -48,7 +48,7 @@ struct Fault {
     double size = 0;
 };
 
-enum class Backends : std::uint8_t { both, optimised };
+enum class Backends : std::uint8_t { both, optimized };
 
 struct PlaceInfo {
     std::string_view name;

@@ -3,7 +3,7 @@
 
 #include "cuda/cells.hpp"
 #include "cuda/constants.hpp"
-#include "cuda/executor.hpp"
+#include "cuda/executor/executor.hpp"
 #include "cuda/fields.hpp"
 #include "cuda/setup.hpp"
 #include "cuda/simulation.hpp"

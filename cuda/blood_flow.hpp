@@ -10,7 +10,7 @@
 namespace aneurysm::device
 {
 
-/// Places of eight neighbours relative to particle i, and their masses.
+/// Places of eight neighbors relative to particle i, and their masses.
 template <class Real>
 struct Pairs {
     Vec3T<Lanes<Real>> x; ///< r_i - r_j [m]
@@ -50,7 +50,7 @@ ANEURYSM_INLINE Vec3T<Lanes<Real>> gradient(const Fields<Real>& f, const Pairs<R
     return pair.m * f.c.kernel.gradient_factor(pair.r) * pair.x;
 }
 
-/// m_j grad W_ij of block b of the free neighbours of i, from memory where it is kept; the same bits.
+/// m_j grad W_ij of block b of the free neighbors of i, from memory where it is kept; the same bits.
 template <bool kept, class Real>
 ANEURYSM_INLINE Vec3T<Lanes<Real>> gradient(const Fields<Real>& f, Index i, Index b, const Lanes<Index>& j,
                                             Lane lane)
@@ -63,7 +63,7 @@ ANEURYSM_INLINE Vec3T<Lanes<Real>> gradient(const Fields<Real>& f, Index i, Inde
     }
 }
 
-/// The eight neighbours in block b.
+/// The eight neighbors in block b.
 ANEURYSM_INLINE Lanes<Index> neighbors(const Lists& lists, Index b, Lane lane)
 {
     return load(lists.body + lane_count * b, lane);
@@ -119,7 +119,7 @@ ANEURYSM_HD Real interpolate(const Kernel<Real>& W, const Vec3T<Real>& r, const 
     return sum(value, lane);
 }
 
-/// Eq. (5)  Density by summation, over all neighbours and i itself:
+/// Eq. (5)  Density by summation, over all neighbors and i itself:
 ///
 ///     rho_i = sum_j m_j W_ij                                                                  [kg/m^3]
 template <class Real>

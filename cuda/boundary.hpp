@@ -4,8 +4,8 @@
 
 #include "common/fault.hpp"
 #include "common/portable_math.hpp"
-#include "common/scenario.hpp"
-#include "cuda/lanes.hpp"
+#include "common/scenario/scenario.hpp"
+#include "cuda/executor/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ ANEURYSM_HD inline double outlet_pressure(double p_const, double rho_0, double v
     return fault(eq26_comes_back, v < 0) ? p_const - fault(eq26_dynamic, 0.5 * rho_0 * v * v) : p_const;
 }
 
-/// Eq. (26)  Force per volume of outlet ghosts j, which carry p_outlet = p_const, on their neighbour i:
+/// Eq. (26)  Force per volume of outlet ghosts j, which carry p_outlet = p_const, on their neighbor i:
 ///
 ///     F = -m_j / rho_0 p_const grad W_ij                                                      [N/m^3]
 template <class Number>

@@ -25,7 +25,7 @@ Vec3 wide(const Vec3T<Real>& v)
 /// One direction of the grid.
 struct GridAxis {
     double low = 0;
-    double cells_per_metre = 0;
+    double cells_per_meter = 0;
     Index cells = 0;
     Index period = 0; ///< in cells; 0: not periodic
 };
@@ -62,7 +62,7 @@ Grid<Real> make_grid(const Setup& setup)
     const GridAxis y = grid_axis(low.y, high.y, box.y, width, 3);
     const GridAxis z = grid_axis(low.z, high.z, box.z, width, 3);
     return {.low = narrow<Real>({x.low, y.low, z.low}),
-            .per_width = narrow<Real>({x.cells_per_metre, y.cells_per_metre, z.cells_per_metre}),
+            .per_width = narrow<Real>({x.cells_per_meter, y.cells_per_meter, z.cells_per_meter}),
             .x_cells = x.cells,
             .y_cells = y.cells,
             .z_cells = z.cells,

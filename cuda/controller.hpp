@@ -4,8 +4,8 @@
 #pragma once
 
 #include "common/fault.hpp"
-#include "common/initial_state.hpp"
-#include "common/sampling.hpp"
+#include "common/vessel/initial_state.hpp"
+#include "common/vessel/sampling.hpp"
 #include "cuda/boundary.hpp"
 #include "cuda/fields.hpp"
 #include "cuda/neighbors.hpp"

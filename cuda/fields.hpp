@@ -2,21 +2,21 @@
 #pragma once
 
 #include "common/frame.hpp"
-#include "common/geometry.hpp"
+#include "common/vessel/geometry.hpp"
+#include "cuda/executor/lanes.hpp"
 #include "cuda/kernel_function.hpp"
-#include "cuda/lanes.hpp"
 
 namespace aneurysm::device
 {
 
 /// The grid of cells that holds every body: as wide as the support in y and z, half of that in x, along which
 /// bodies are read in a row. Beyond its edge the outermost cells go on. y is the slowest index: along it the
-/// artery is longest, so that neighbours are near in memory. In a periodic direction the cells fill the box,
-/// and the first is the last one's neighbour.
+/// artery is longest, so that neighbors are near in memory. In a periodic direction the cells fill the box,
+/// and the first is the last one's neighbor.
 template <class Real>
 struct Grid {
     Vec3T<Real> low;       ///< corner of cell 0 [m]
-    Vec3T<Real> per_width; ///< cells in a metre
+    Vec3T<Real> per_width; ///< cells in a meter
     Index x_cells = 0;
     Index y_cells = 0;
     Index z_cells = 0;
@@ -73,7 +73,7 @@ struct Constants {
     ANEURYSM_HD Index bodies() const { return particles + 1 + walls; }
 };
 
-/// Lists of neighbours in blocks of eight, filled up with the null body. Those of body i are the blocks
+/// Lists of neighbors in blocks of eight, filled up with the null body. Those of body i are the blocks
 /// begin[i] to begin[i + 1] - 1.
 struct Lists {
     Index* begin = nullptr;  ///< [particles + 1], in blocks
@@ -144,7 +144,7 @@ struct Fields {
     Real* body_x = nullptr; ///< the same places again, for the search; massless walls are far away
     Real* body_y = nullptr;
     Real* body_z = nullptr;
-    Index* is_mirror = nullptr; ///< 1: a ghost with its neighbour's pressure
+    Index* is_mirror = nullptr; ///< 1: a ghost with its neighbor's pressure
 
     // sorted, [particles + 1]
     Index* key = nullptr;
@@ -157,7 +157,7 @@ struct Fields {
         nullptr; ///< [walls] by cell; w: mass where the sac doesn't reach, else -1
     Lists free{};
     Lists ghosts{};
-    Real* gradient = nullptr; ///< m_j grad W_ij of free neighbours, [24 * blocks]; null: computed when needed
+    Real* gradient = nullptr; ///< m_j grad W_ij of free neighbors, [24 * blocks]; null: computed when needed
     Row<Real>* ghost_gradient = nullptr;  ///< sum of m_j grad W_ij over ghosts; w: sum of m_j grad W_ij . v_j
     Row<Real>* force = nullptr;           ///< (7) [N/m^3]
     Row<Real>* acceleration = nullptr;    ///< of the blood's own pressure [m/s^2]

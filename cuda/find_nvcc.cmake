@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Sets aneurysm_with_cuda where there is an nvcc that works, and says when there is none. The machine code is for data
-# centre GPUs (A100, H100, H200) and the smaller ones of their families; newer GPUs compile the PTX.
+# center GPUs (A100, H100, H200) and the smaller ones of their families; newer GPUs compile the PTX.
 if(NOT CMAKE_CUDA_COMPILER)
   find_program(ANEURYSM_NVCC nvcc HINTS ENV CUDA_PATH ENV CUDA_HOME PATHS /usr/local/cuda PATH_SUFFIXES bin)
   if(ANEURYSM_NVCC)

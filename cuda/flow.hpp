@@ -97,7 +97,7 @@ struct Forces {
     }
 };
 
-/// The velocity with all forces but the pressure's, which neighbours now no longer need as it was.
+/// The velocity with all forces but the pressure's, which neighbors now no longer need as it was.
 template <class Real>
 struct TakeVelocity {
     Fields<Real> f;

@@ -4,7 +4,7 @@
 
 #include "common/fault.hpp"
 #include "common/host_device.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
 
 namespace aneurysm::device
 {
@@ -41,7 +41,7 @@ ANEURYSM_HD inline double tissue_force(const WallTissue& w, double u_t)
 }
 
 /// Eq. (19)  Elastin and collagen resist: F_P = (K_E A_E + K_C A_C) epsilon                    [N]
-ANEURYSM_HD inline double fibre_force(const WallTissue& w, double epsilon)
+ANEURYSM_HD inline double fiber_force(const WallTissue& w, double epsilon)
 {
     return (fault(eq19_elastin, w.K_E * w.A_E) + fault(eq19_collagen, w.K_C * w.A_C)) *
            fault(eq19_strain, epsilon);
@@ -61,7 +61,7 @@ ANEURYSM_HD inline double radius_increment(const WallTissue& w, double F_B, doub
 {
     const double inertia = fault(eq21_inertia, w.m / (dt * dt));
     const double resistance =
-        fault(eq21_tissue, tissue_force(w, 1 / dt)) + fault(eq21_fibres, fibre_force(w, strain(1, R)));
+        fault(eq21_tissue, tissue_force(w, 1 / dt)) + fault(eq21_fibres, fiber_force(w, strain(1, R)));
     return fault(eq21_force, F_B) / (inertia + resistance);
 }
 

@@ -39,7 +39,7 @@ struct SolveSumsOf {
 };
 using SolveSums = SolveSumsOf<double>;
 
-/// DFSPH factor (Bender and Koschier 2015); 0 for a body without neighbours:
+/// DFSPH factor (Bender and Koschier 2015); 0 for a body without neighbors:
 ///
 ///     alpha_i = 1 / ( |sum_j m_j grad W_ij|^2 + sum_{j free} |m_j grad W_ij|^2 )               [m^8/kg^2]
 template <class Real>
@@ -49,7 +49,7 @@ ANEURYSM_HD Real dfsph_factor(const Vec3T<Real>& sum, Real squares)
     return denominator > 0 ? 1 / denominator : 0;
 }
 
-/// Pressure acceleration in its momentum-conserving form; a ghost adds its neighbour's pressure once:
+/// Pressure acceleration in its momentum-conserving form; a ghost adds its neighbor's pressure once:
 ///
 ///     a_i = -sum_j m_j (p_i + p_j) / rho_0^2 grad W_ij                                        [m/s^2]
 template <bool kept, class Real>
@@ -111,7 +111,7 @@ struct InverseFactor {
 };
 
 /// Takes spray out, and starts from the last step's pressure; a particle that has none starts from its
-/// neighbours' mean.
+/// neighbors' mean.
 template <class Real>
 struct StartSolve {
     Fields<Real> f;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "common/fault.hpp"
-#include "common/scenario.hpp"
-#include "cuda/lanes.hpp"
+#include "common/scenario/scenario.hpp"
+#include "cuda/executor/lanes.hpp"
 
 #include <numbers>
 

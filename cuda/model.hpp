@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "common/body_force.hpp"
 #include "common/error.hpp"
+#include "common/vessel/body_force.hpp"
 #include "cuda/arrays.hpp"
 #include "cuda/deform.hpp"
 #include "cuda/passes.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sorting into cells, and the lists of neighbours.
+// Sorting into cells, and the lists of neighbors.
 #pragma once
 
 #include "common/fault.hpp"
+#include "cuda/executor/hits.hpp"
 #include "cuda/fields.hpp"
-#include "cuda/hits.hpp"
 #include "cuda/periodic.hpp"
 
 namespace aneurysm::device
@@ -61,7 +61,7 @@ ANEURYSM_INLINE void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, 
     }
 }
 
-/// Free and ghost neighbours of sorted particle i, itself left out, in the order of bodies: counted, or
+/// Free and ghost neighbors of sorted particle i, itself left out, in the order of bodies: counted, or
 /// written into its lists.
 template <class Real, bool fill, bool periodic>
 struct Search {

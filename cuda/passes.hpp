@@ -3,7 +3,7 @@
 #pragma once
 
 #include "cuda/containment.hpp"
-#include "cuda/executor.hpp"
+#include "cuda/executor/executor.hpp"
 #include "cuda/flow.hpp"
 #include "cuda/impact.hpp"
 
@@ -87,7 +87,7 @@ public:
         executor_->for_each(n_, SortBodies<Real>{f});
         executor_->mark("sort");
         f.c.is_periodic ? make_lists<true>(f) : make_lists<false>(f);
-        executor_->mark("neighbours");
+        executor_->mark("neighbors");
     }
 
     /// Eq. (3), see reference/incompressible.hpp.

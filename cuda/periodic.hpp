@@ -2,7 +2,7 @@
 // What is near through the seams of a periodic box; 0 stands for the edge of a box that isn't periodic.
 #pragma once
 
-#include "cuda/lanes.hpp"
+#include "cuda/executor/lanes.hpp"
 
 namespace aneurysm::device
 {

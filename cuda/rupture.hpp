@@ -7,7 +7,7 @@
 #include "common/fault.hpp"
 #include "common/host_device.hpp"
 #include "common/vec3.hpp"
-#include "cuda/lanes.hpp"
+#include "cuda/executor/lanes.hpp"
 
 #include <cmath>
 

@@ -92,7 +92,7 @@ private:
         }
     }
 
-    /// Of all particles, with lists that have room for their neighbours.
+    /// Of all particles, with lists that have room for their neighbors.
     void find_densities()
     {
         passes_->find_neighbors(fields());

@@ -2,7 +2,7 @@
 #include "cuda/setup.hpp"
 
 #include "common/error.hpp"
-#include "common/scenario_limits.hpp"
+#include "common/scenario/limits.hpp"
 #include "cuda/bifurcation.hpp"
 #include "cuda/kernel_function.hpp"
 
@@ -66,7 +66,7 @@ double relaxation_limit(KernelName name, double ratio)
     constexpr int points = 32;       // an axis: finds the largest eigenvalue to 0.15 %
     constexpr double margin = 1.002; // more than that
     const Kernel<double> W(name, ratio);
-    std::vector<std::pair<Vec3, Vec3>> slopes; // of the neighbours that have one
+    std::vector<std::pair<Vec3, Vec3>> slopes; // of the neighbors that have one
     double squares = 0;
     for_each_lattice_neighbor(1, 2 * ratio, [&](const Vec3& x) {
         const Vec3 slope = first(W.gradient_factor(length(x))) * x;

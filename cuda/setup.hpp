@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "common/initial_state.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
+#include "common/vessel/initial_state.hpp"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/frame.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
 
 #include <memory>
 #include <optional>
@@ -15,14 +15,14 @@ namespace aneurysm::device
 
 enum class Precision { single_, double_ };
 
-/// How the optimised backend runs; none of it changes a bit of any result.
+/// How the optimized backend runs; none of it changes a bit of any result.
 struct Tuning {
     int threads = 0;    ///< of the CPU; 0: as many as pay
     int block_size = 0; ///< GPU threads in a block, a multiple of 32; 0: the default
     /// m_j grad W_ij of all pairs: kept in memory, computed in every pass, or what the particle count
     /// suggests.
     enum class Gradients { automatic, kept, computed } gradients = Gradients::automatic;
-    /// Blocks of eight that there is room for at first, in the lists of free neighbours and in those of
+    /// Blocks of eight that there is room for at first, in the lists of free neighbors and in those of
     /// ghosts; they grow when a frame needs more. 0: what a lattice needs.
     int list_blocks = 0;
 };
@@ -52,7 +52,7 @@ public:
 
     /// Device memory in use [bytes]
     virtual std::size_t bytes() const = 0;
-    /// Pairs of the last frame's largest step: places in the lists of free neighbours and of ghosts, what
+    /// Pairs of the last frame's largest step: places in the lists of free neighbors and of ghosts, what
     /// fills them up included.
     virtual std::pair<std::int64_t, std::int64_t> pairs() = 0;
     /// Seconds that each pass took since the last call, by name; empty where passes can't be told apart.

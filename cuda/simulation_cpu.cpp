@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cuda/executor_cpu.hpp"
+#include "cuda/executor/executor_cpu.hpp"
 #include "cuda/model.hpp"
 
 namespace aneurysm::device

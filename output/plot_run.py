@@ -18,7 +18,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-PHASE_COLOURS = {"warm-up": "0.9", "growing": "#e8f1fa", "fully developed": "#fdf0dd", "ruptured": "#fbe3e3"}
+PHASE_COLORS = {"warm-up": "0.9", "growing": "#e8f1fa", "fully developed": "#fdf0dd", "ruptured": "#fbe3e3"}
 
 
 def read_columns(run):
@@ -32,7 +32,7 @@ def shade_phases(axes, data):
     start = 0
     for i in range(1, len(data["phase"]) + 1):
         if i == len(data["phase"]) or data["phase"][i] != data["phase"][start]:
-            axes.axvspan(start, i, color=PHASE_COLOURS[data["phase"][start].replace("_", " ")], zorder=0)
+            axes.axvspan(start, i, color=PHASE_COLORS[data["phase"][start].replace("_", " ")], zorder=0)
             start = i
 
 

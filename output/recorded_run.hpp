@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/frame.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
 #include "output/vtk.hpp"
 
 #include <cstdint>

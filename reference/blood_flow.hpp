@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Section 3.1: blood flow by smoothed particle hydrodynamics, (1), (2), (4)-(7), (15) and the equation of
-// state. Sums run over the neighbours j of body i, which include i itself; `Sum` is double / Vec3, or
+// state. Sums run over the neighbors j of body i, which include i itself; `Sum` is double / Vec3, or
 // BoundedSum / BoundedVectorSum of reference/sum.hpp for the rounding bound.
 #pragma once
 
@@ -77,7 +77,7 @@ inline double equation_of_state(double kappa, double rho, double rho_0)
 ///
 ///     F_i^pressure = -sum_j m_j (p_i + p_j) / (2 rho_j) grad W_ij                             [N/m^3]
 ///
-/// A wall's or the inlet's ghost has its neighbour's pressure p_i. The printed mean makes this half of -grad
+/// A wall's or the inlet's ghost has its neighbor's pressure p_i. The printed mean makes this half of -grad
 /// p.
 template <class Sum = Vec3>
 Sum pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,

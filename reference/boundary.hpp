@@ -4,7 +4,7 @@
 
 #include "common/fault.hpp"
 #include "common/portable_math.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,7 @@ inline double outlet_pressure(double p_const, double rho_0, double v)
     return fault(eq26_comes_back, v < 0) ? p_const - fault(eq26_dynamic, 0.5 * rho_0 * v * v) : p_const;
 }
 
-/// Eq. (26)  Force per volume of an outlet ghost j, which carries p_outlet = p_const, on its neighbour i:
+/// Eq. (26)  Force per volume of an outlet ghost j, which carries p_outlet = p_const, on its neighbor i:
 ///
 ///     F = -m_j / rho_0 p_const grad W_ij                                                      [N/m^3]
 inline Vec3 outlet_pressure_force(double m_j, double rho_0, double p_const, const Vec3& grad_W)

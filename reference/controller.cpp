@@ -2,8 +2,8 @@
 #include "reference/controller.hpp"
 
 #include "common/fault.hpp"
-#include "common/initial_state.hpp"
-#include "common/sampling.hpp"
+#include "common/vessel/initial_state.hpp"
+#include "common/vessel/sampling.hpp"
 #include "reference/neighbors.hpp"
 
 #include <algorithm>

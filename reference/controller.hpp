@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/frame.hpp"
-#include "common/geometry.hpp"
+#include "common/vessel/geometry.hpp"
 
 namespace aneurysm::reference
 {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/flow.hpp"
 
-#include "common/body_force.hpp"
 #include "common/error.hpp"
 #include "common/fault.hpp"
-#include "common/scenario_limits.hpp"
+#include "common/scenario/limits.hpp"
+#include "common/vessel/body_force.hpp"
 #include "reference/boundary.hpp"
 #include "reference/rupture.hpp"
 
@@ -235,7 +235,7 @@ IncompressibleReport Flow::take_pressure(const FlowStep& step, std::span<const d
     return solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, settings, pressure, a);
 }
 
-/// From the last step's pressures; a particle that has none starts from its neighbours' mean.
+/// From the last step's pressures; a particle that has none starts from its neighbors' mean.
 IncompressibleReport Flow::solve_dfsph(const FlowStep& step, const Particles& p,
                                        std::vector<double>& pressure, std::vector<Vec3>& a) const
 {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "common/frame.hpp"
-#include "common/geometry.hpp"
-#include "common/sampling.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
+#include "common/vessel/geometry.hpp"
+#include "common/vessel/sampling.hpp"
 #include "reference/controller.hpp"
 #include "reference/incompressible.hpp"
 

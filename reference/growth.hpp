@@ -19,7 +19,7 @@ struct WallTissue {
     double m = 0;     ///< mass of the aneurysm's wall [kg]
 };
 
-/// Eq. (17)  What accelerates the wall: blood against tissue fluid and fibres.
+/// Eq. (17)  What accelerates the wall: blood against tissue fluid and fibers.
 ///
 ///     F_T = F_B - F_F - F_P                                                                   [N]
 inline double net_wall_force(double F_B, double F_F, double F_P)
@@ -38,7 +38,7 @@ inline double tissue_force(const WallTissue& w, double u_t)
 /// Eq. (19)  Elastin and collagen resist; the paper sets each stress to the strain epsilon:
 ///
 ///     F_P = K_E A_E sigma_E + K_C A_C sigma_C,   sigma_E = sigma_C = epsilon                  [N]
-inline double fibre_force(const WallTissue& w, double epsilon)
+inline double fiber_force(const WallTissue& w, double epsilon)
 {
     const double sigma = fault(eq19_strain, epsilon);
     return fault(eq19_elastin, w.K_E * w.A_E) * sigma + fault(eq19_collagen, w.K_C * w.A_C) * sigma;

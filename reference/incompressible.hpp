@@ -31,7 +31,7 @@ struct IncompressibleReport {
 };
 
 /// Pressure acceleration in its momentum-conserving form, which is the adjoint of (2), so that the solve
-/// below is a symmetric problem. A ghost adds its neighbour's pressure once (p_j = 0):
+/// below is a symmetric problem. A ghost adds its neighbor's pressure once (p_j = 0):
 ///
 ///     a_i = -sum_j m_j (p_i + p_j) / rho_0^2 grad W_ij                                        [m/s^2]
 template <class Sum = Vec3>
@@ -48,7 +48,7 @@ Sum pressure_acceleration(const Bodies& b, std::span<const Neighbor> neighbors, 
 }
 
 /// DFSPH factor (Bender and Koschier 2015), the inverse of how (2) at i answers to p_i, up to -dt / rho_0^2;
-/// 0 for a body without neighbours:
+/// 0 for a body without neighbors:
 ///
 ///     alpha_i = 1 / ( |sum_j m_j grad W_ij|^2 + sum_{j free} |m_j grad W_ij|^2 )               [m^8/kg^2]
 double dfsph_factor(const Bodies& b, std::span<const Neighbor> neighbors);

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "common/fault.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
 
 #include <numbers>
 
 namespace aneurysm::reference
 {
 
-/// W(r, h), normalised in three dimensions, zero from the support radius 2 h on. The paper names none; q = r
+/// W(r, h), normalized in three dimensions, zero from the support radius 2 h on. The paper names none; q = r
 /// / h:
 ///
 ///     cubic spline   W = 1/(pi h^3)     { 1 - 3/2 q^2 + 3/4 q^3   for q < 1;   (2 - q)^3 / 4   for q < 2 }

@@ -25,7 +25,7 @@ struct Axis {
         const auto c = static_cast<std::int64_t>(std::floor((x - low) / width));
         return period > 0 ? (c % cells + cells) % cells : c;
     }
-    /// First of the neighbouring cells, which end with the next one; of two cells each has one neighbour.
+    /// First of the neighboring cells, which end with the next one; of two cells each has one neighbor.
     std::int64_t first() const { return period > 0 && cells == 2 ? 0 : -1; }
 };
 
@@ -42,7 +42,7 @@ Axis make_axis(double low, double high, double period, double support)
     }
     const auto cells = static_cast<std::int64_t>(std::floor(period / support));
     if (cells < 2) {
-        throw Error("neighbour search", "a periodic box of " + std::to_string(period) + " m",
+        throw Error("neighbor search", "a periodic box of " + std::to_string(period) + " m",
                     "at least two supports of " + std::to_string(support) + " m");
     }
     return {low, period / static_cast<double>(cells), period, cells};

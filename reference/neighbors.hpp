@@ -16,7 +16,7 @@ namespace aneurysm::reference
 /// How a body takes part in the SPH sums.
 enum class Role : std::uint8_t {
     free,   ///< moved by forces
-    mirror, ///< ghost of the wall or the inlet: given velocity, its neighbour's pressure
+    mirror, ///< ghost of the wall or the inlet: given velocity, its neighbor's pressure
     slip,   ///< ghost of a wall that exerts no viscous force: else as `mirror`
     outlet, ///< ghost of an outlet: given velocity and pressure (26)
     absent, ///< in the reserve
@@ -47,7 +47,7 @@ using Period = Vec3;
 /// The shortest way from b to a.
 Vec3 difference(const Vec3& a, const Vec3& b, const Period& period);
 
-/// The neighbours of every free body, ascending in j.
+/// The neighbors of every free body, ascending in j.
 class Neighbors
 {
 public:

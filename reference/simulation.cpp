@@ -3,7 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/fault.hpp"
-#include "common/initial_state.hpp"
+#include "common/vessel/initial_state.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/deform.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/error.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
 #include "output/columns.hpp"
 
 #include <boost/test/unit_test.hpp>

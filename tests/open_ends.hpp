@@ -2,7 +2,7 @@
 // An artery with its controller, for the tests of its open ends.
 #pragma once
 
-#include "common/sampling.hpp"
+#include "common/vessel/sampling.hpp"
 #include "reference/controller.hpp"
 #include "tests/support.hpp"
 #include "tests/vessels.hpp"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "analytic/blood_flow.hpp"
-#include "analytic/pair_sums.hpp"
+#include "analytic/lattice/pair_sums.hpp"
 #include "reference/blood_flow.hpp"
 #include "tests/support.hpp"
 

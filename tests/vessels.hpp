@@ -2,8 +2,8 @@
 // What the tests of geometry, sampling and simulation share: shipped scenarios, Table 2, random points.
 #pragma once
 
-#include "common/geometry.hpp"
-#include "common/scenario.hpp"
+#include "common/scenario/scenario.hpp"
+#include "common/vessel/geometry.hpp"
 #include "reference/bifurcation.hpp"
 #include "tests/support.hpp"
 

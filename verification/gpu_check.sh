@@ -23,8 +23,8 @@ else
     parts=" suite bits lockstep resume free tools timing "
 fi
 
-aneurysm=$build/verification/aneurysm
-bench=$build/benchmarks/bench_frames
+aneurysm=$build/bin/aneurysm
+bench=$build/bin/bench_frames
 quick=data/scenarios/quick.json
 tc1=data/scenarios/paper_tc1.json
 record=$out/gpu_check.txt

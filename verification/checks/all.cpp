@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace aneurysm::verification
+namespace aneurysm::checks
 {
 namespace
 {
@@ -51,4 +51,4 @@ const std::vector<Check>& all_checks()
     return checks;
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::checks

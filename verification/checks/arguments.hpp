@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace aneurysm::verification
+namespace aneurysm::checks
 {
 
 /// Numbers without a pattern that could hide an exponent, a factor or an exchange; the same in every run and
@@ -57,4 +57,4 @@ inline std::string at(std::initializer_list<std::pair<const char*, double>> argu
     return text;
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::checks

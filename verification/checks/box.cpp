@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/checks/box.hpp"
 
-#include "verification/scenarios.hpp"
+#include "common/scenario/shipped.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <random>
 
-namespace aneurysm::verification
+namespace aneurysm::checks
 {
 namespace
 {
@@ -112,4 +112,4 @@ analytic::Cloud Box::cloud(const SimulationState& state, const std::vector<doubl
     return c;
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::checks

@@ -4,14 +4,14 @@
 #pragma once
 
 #include "analytic/blood_flow.hpp"
-#include "analytic/pair_sums.hpp"
-#include "verification/check.hpp"
+#include "analytic/lattice/pair_sums.hpp"
+#include "verification/checks/checks.hpp"
 #include "verification/checks/vectors.hpp"
 
 #include <array>
 #include <vector>
 
-namespace aneurysm::verification
+namespace aneurysm::checks
 {
 
 /// Waves along each edge of the box.
@@ -62,4 +62,4 @@ private:
 /// data/scenarios/verify_box.json with this kernel.
 Scenario box_scenario(KernelName kernel = KernelName::cubic_spline, double ratio = 1);
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::checks

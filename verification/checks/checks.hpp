@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks by subject; each function is in the file of its name.
+// The checks by level and subject; each function is in the file of its name.
 #pragma once
 
-#include "verification/check.hpp"
+#include "verification/suite/check.hpp"
 
-namespace aneurysm::verification
+namespace aneurysm::checks
 {
+
+using namespace suite; // a check is written in the suite's words
+
+/// All checks, by level and then in the order of the paper.
+const std::vector<Check>& all_checks();
 
 // The oracles among themselves
 std::vector<Check> oracle_flow_checks();
@@ -51,4 +56,4 @@ std::vector<Check> same_run_checks();
 // L5
 std::vector<Check> executor_checks();
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::checks

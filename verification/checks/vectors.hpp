@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace aneurysm::verification
+namespace aneurysm::checks
 {
 
 inline Vec3 to_vec3(const Eigen::Vector3d& v)
@@ -17,4 +17,4 @@ inline Eigen::Vector3d to_eigen(const Vec3& v)
     return {v.x, v.y, v.z};
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::checks

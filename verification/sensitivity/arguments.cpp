@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 namespace
 {
@@ -50,9 +50,9 @@ std::string_view argument_for(const Fault& fault)
     return found != equivalents.end() ? found->why : std::string_view{};
 }
 
-std::string_view argument_for(const Check&, Side)
+std::string_view argument_for(const suite::Check&, Side)
 {
     return {};
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

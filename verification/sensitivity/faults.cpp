@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 namespace
 {
@@ -66,7 +66,7 @@ std::vector<Fault> all_faults()
     std::vector<Fault> all;
     for (std::size_t k = 0; k < places.size(); ++k) {
         for (const Side side : {Side::reference, Side::device}) {
-            if (side == Side::reference && places.at(k).backends == Backends::optimised) {
+            if (side == Side::reference && places.at(k).backends == Backends::optimized) {
                 continue;
             }
             for (const Kind kind : kinds_of(places.at(k).part)) {
@@ -145,4 +145,4 @@ std::string words_of(const Fault& fault)
     return std::string(place.text).append(": ").append(words_of(fault.kind, place.part));
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 
 using faults::Fault;
@@ -35,4 +35,4 @@ std::string words_of(const Fault& fault);
 /// "reference" or "cpu": what the backend is called on the command line.
 std::string name_of(Side side);
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 
 /// A study and where it comes from.
@@ -45,10 +45,10 @@ struct Unusable {
 };
 std::vector<Unusable> unusable(const SensitivityStudy& study);
 /// Checks that compute with no backend, only with oracles.
-std::vector<const Check*> without_backend(const SensitivityStudy& study);
+std::vector<const suite::Check*> without_backend(const SensitivityStudy& study);
 /// One line of the table of what each check sees; null where it looks at no such backend.
 struct SightPair {
-    const Check* check = nullptr;
+    const suite::Check* check = nullptr;
     const Sight* reference = nullptr;
     const Sight* device = nullptr;
 };
@@ -65,4 +65,4 @@ std::string sensitivity_markdown(const SensitivityReport& report);
 std::string sensitivity_json(const SensitivityReport& report);
 std::string sensitivity_html(const SensitivityReport& report); ///< with the kill matrix
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

@@ -2,13 +2,13 @@
 // The kill matrix as one page that needs no other file.
 #include "common/equations.hpp"
 #include "output/build_info.hpp"
+#include "output/report/style.hpp"
 #include "verification/sensitivity/report.hpp"
-#include "verification/suite_html.hpp"
-#include "verification/suite_style.hpp"
+#include "verification/suite/html.hpp"
 
 #include <algorithm>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 namespace
 {
@@ -63,61 +63,63 @@ std::vector<std::size_t> columns_of(const SensitivityStudy& study, const std::ve
     return columns;
 }
 
-Markup sign(const FaultRow* row, std::size_t column)
+report::Markup sign(const FaultRow* row, std::size_t column)
 {
     const Cell cell = row == nullptr || row->cells.empty() ? Cell::unreached : row->cells[column];
     switch (cell) {
     case Cell::red:
-        return element("span", {{"class", "red"}}, "✗");
+        return report::element("span", {{"class", "red"}}, "✗");
     case Cell::green:
-        return element("span", {{"class", "green"}}, "○");
+        return report::element("span", {{"class", "green"}}, "○");
     case Cell::untried:
-        return element("span", {{"class", "weak"}}, "·");
+        return report::element("span", {{"class", "weak"}}, "·");
     case Cell::unreached:
         break;
     }
     return " ";
 }
 
-Markup found_cell(const FaultRow* row)
+report::Markup found_cell(const FaultRow* row)
 {
     if (row == nullptr) {
-        return cell("–");
+        return suite::cell("–");
     }
     if (!row->survives()) {
-        return cell(element("span", {{"class", "holds"}}, "found"));
+        return suite::cell(report::element("span", {{"class", "holds"}}, "found"));
     }
-    return cell(row->argument.empty() ? element("span", {{"class", "fails"}}, "UNNOTICED")
-                                      : element("span", {{"class", "warn"}}, "argued"));
+    return suite::cell(row->argument.empty() ? report::element("span", {{"class", "fails"}}, "UNNOTICED")
+                                             : report::element("span", {{"class", "warn"}}, "argued"));
 }
 
-Markup matrix(const SensitivityStudy& study, const std::vector<Pair>& pairs)
+report::Markup matrix(const SensitivityStudy& study, const std::vector<Pair>& pairs)
 {
     const std::vector<std::size_t> columns = columns_of(study, pairs);
-    Markup head = element("th", {}, "planted fault")
-                  << element("th", {}, "reference") << element("th", {}, "cpu");
+    report::Markup head = report::element("th", {}, "planted fault")
+                          << report::element("th", {}, "reference") << report::element("th", {}, "cpu");
     for (const std::size_t k : columns) {
-        head << element("th", {{"class", "check"}}, study.checks[k]->id);
+        head << report::element("th", {{"class", "check"}}, study.checks[k]->id);
     }
-    Markup rows;
+    report::Markup rows;
     for (const Pair& pair : pairs) {
-        Markup cells = cell(words_of(pair.any().fault))
-                       << found_cell(pair.reference) << found_cell(pair.device);
+        report::Markup cells = suite::cell(words_of(pair.any().fault))
+                               << found_cell(pair.reference) << found_cell(pair.device);
         for (const std::size_t k : columns) {
-            cells << element("td", {{"class", "cell"}}, sign(pair.reference, k), " ", sign(pair.device, k));
+            cells << report::element("td", {{"class", "cell"}}, sign(pair.reference, k), " ",
+                                     sign(pair.device, k));
         }
-        rows << row(cells);
+        rows << suite::row(cells);
     }
-    return element("div", {{"class", "wide"}},
-                   element("table", {{"class", "matrix"}}, element("thead", {}, row(head)),
-                           element("tbody", {}, rows)))
+    return report::element("div", {{"class", "wide"}},
+                           report::element("table", {{"class", "matrix"}},
+                                           report::element("thead", {}, suite::row(head)),
+                                           report::element("tbody", {}, rows)))
            << "\n";
 }
 
-Markup matrices(const SensitivityStudy& study)
+report::Markup matrices(const SensitivityStudy& study)
 {
-    Markup text =
-        element("h2", {{"id", "matrix"}}, "Which check finds which fault") << element(
+    report::Markup text =
+        report::element("h2", {{"id", "matrix"}}, "Which check finds which fault") << report::element(
             "p", {},
             "One row for each fault, one column for each check that was tried with it; in a cell, first the "
             "reference, then cpu. ✗: the fault turned the check red, as it should. ○: the check stayed "
@@ -127,57 +129,61 @@ Markup matrices(const SensitivityStudy& study)
         if (t.equation != "all") {
             const std::string id =
                 t.equation.front() == '(' ? t.equation.substr(1, t.equation.size() - 2) : t.equation;
-            text << element("h3", {{"id", "eq" + id}}, t.equation, " ", t.title)
+            text << report::element("h3", {{"id", "eq" + id}}, t.equation, " ", t.title)
                  << matrix(study, pairs_of(study, id));
         }
     }
     return text;
 }
 
-Markup tally_section(const SensitivityStudy& study)
+report::Markup tally_section(const SensitivityStudy& study)
 {
-    Markup rows;
+    report::Markup rows;
     for (const FaultTally& t : tallies(study)) {
-        rows << row(cell(t.equation), cell(t.title), number_cell(std::to_string(t.planted)),
-                    number_cell(std::to_string(t.found)), number_cell(std::to_string(t.argued)),
-                    number_cell(std::to_string(t.unexplained())));
+        rows << suite::row(
+            suite::cell(t.equation), suite::cell(t.title), suite::number_cell(std::to_string(t.planted)),
+            suite::number_cell(std::to_string(t.found)), suite::number_cell(std::to_string(t.argued)),
+            suite::number_cell(std::to_string(t.unexplained())));
     }
-    return element("h2", {}, "Equation by equation")
-           << table({"equation", "title", "planted", "found", "argued", "unnoticed"}, rows);
+    return report::element("h2", {}, "Equation by equation")
+           << suite::table({"equation", "title", "planted", "found", "argued", "unnoticed"}, rows);
 }
 
-Markup sight_section(const SensitivityStudy& study)
+report::Markup sight_section(const SensitivityStudy& study)
 {
     if (study.sights.empty()) {
         return {};
     }
-    Markup rows;
+    report::Markup rows;
     for (const SightPair& pair : sight_pairs(study)) {
-        rows << row(cell(pair.check->id), cell(pair.check->title), cell(smallest_of(pair.reference)),
-                    cell(smallest_of(pair.device)));
+        rows << suite::row(suite::cell(pair.check->id), suite::cell(pair.check->title),
+                           suite::cell(smallest_of(pair.reference)), suite::cell(smallest_of(pair.device)));
     }
-    return element("h2", {}, "How small a fault each check sees")
-           << element("p", {},
-                      "The smallest relative error of a coefficient in an equation of its own that turns the "
-                      "check red, found by bisection to within a factor of 2, and the place of that "
-                      "coefficient. Double precision rounds at 1.1e-16.")
-           << table({"check", "what it shows", "reference", "cpu"}, rows);
+    return report::element("h2", {}, "How small a fault each check sees")
+           << report::element(
+                  "p", {},
+                  "The smallest relative error of a coefficient in an equation of its own that turns the "
+                  "check red, found by bisection to within a factor of 2, and the place of that "
+                  "coefficient. Double precision rounds at 1.1e-16.")
+           << suite::table({"check", "what it shows", "reference", "cpu"}, rows);
 }
 
-Markup reasons(const std::string& title, const std::vector<std::pair<std::string, std::string_view>>& items)
+report::Markup reasons(const std::string& title,
+                       const std::vector<std::pair<std::string, std::string_view>>& items)
 {
     if (items.empty()) {
         return {};
     }
-    Markup list;
+    report::Markup list;
     for (const auto& [name, why] : items) {
-        list << element("dt", {}, name)
-             << element("dd", {{"class", why.empty() ? "fails" : ""}}, why.empty() ? "UNEXPLAINED" : why);
+        list << report::element("dt", {}, name)
+             << report::element("dd", {{"class", why.empty() ? "fails" : ""}},
+                                why.empty() ? "UNEXPLAINED" : why);
     }
-    return element("h2", {}, title) << element("dl", {}, list);
+    return report::element("h2", {}, title) << report::element("dl", {}, list);
 }
 
-Markup remarks(const SensitivityStudy& study)
+report::Markup remarks(const SensitivityStudy& study)
 {
     std::vector<std::pair<std::string, std::string_view>> left_out;
     const std::vector<Unusable> cases = unusable(study);
@@ -205,27 +211,30 @@ std::string sensitivity_html(const SensitivityReport& report)
     const bool good = study.complete && passed(study);
     const std::string title =
         std::string("Sensitivity of the verification of aneurysm ") + output::build_info().version;
-    const Markup head = element(
-        "head", {},
-        Markup::verbatim("<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
-                         "initial-scale=1\">\n"),
-        element("title", {}, title),
-        element("style", {}, Markup::verbatim(suite_style), Markup::verbatim(matrix_style)));
-    const Markup body =
-        element("h1", {}, title)
-        << element("p", {{"class", good ? "verdict holds" : "verdict fails"}}, verdict_of(study), ": ",
-                   headline(study))
-        << element("p", {},
-                   "A check is worth something only if it can fail. Here each formula of the paper was made "
-                   "wrong on purpose, in one place of one backend at a time, and the suite was run to see "
-                   "which check notices.")
-        << element("p", {{"class", "weak"}}, report.selection, ". ", report.date, ", ", report.machine, ", ",
-                   std::to_string(report.jobs), " processes, ",
-                   std::to_string(static_cast<int>(study.seconds)), " s. Repeat it with ",
-                   element("code", {}, report.command), ".")
+    const report::Markup head =
+        report::element("head", {},
+                        report::Markup::verbatim(
+                            "<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
+                            "initial-scale=1\">\n"),
+                        report::element("title", {}, title),
+                        report::element("style", {}, report::Markup::verbatim(report::suite_style),
+                                        report::Markup::verbatim(matrix_style)));
+    const report::Markup body =
+        report::element("h1", {}, title)
+        << report::element("p", {{"class", good ? "verdict holds" : "verdict fails"}}, verdict_of(study),
+                           ": ", headline(study))
+        << report::element(
+               "p", {},
+               "A check is worth something only if it can fail. Here each formula of the paper was made "
+               "wrong on purpose, in one place of one backend at a time, and the suite was run to see "
+               "which check notices.")
+        << report::element("p", {{"class", "weak"}}, report.selection, ". ", report.date, ", ",
+                           report.machine, ", ", std::to_string(report.jobs), " processes, ",
+                           std::to_string(static_cast<int>(study.seconds)), " s. Repeat it with ",
+                           report::element("code", {}, report.command), ".")
         << tally_section(study) << sight_section(study) << remarks(study) << matrices(study);
-    return Markup::verbatim("<!DOCTYPE html>\n").text() +
-           element("html", {{"lang", "en"}}, head, element("body", {}, body)).text() + "\n";
+    return report::Markup::verbatim("<!DOCTYPE html>\n").text() +
+           report::element("html", {{"lang", "en"}}, head, report::element("body", {}, body)).text() + "\n";
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

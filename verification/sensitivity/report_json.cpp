@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "output/json.hpp"
 #include "output/provenance.hpp"
-#include "verification/json.hpp"
 #include "verification/sensitivity/report.hpp"
 
 #include <array>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 namespace
 {
 
-Json json(const FaultRow& row, const SensitivityStudy& study)
+output::Json json(const FaultRow& row, const SensitivityStudy& study)
 {
     constexpr std::array names{"unreached", "untried", "green", "red"};
-    Json checks = Json::object();
+    output::Json checks = output::Json::object();
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
         if (row.cells[k] != Cell::unreached) {
             checks[std::string(study.checks[k]->id)] = names.at(static_cast<std::size_t>(row.cells[k]));
@@ -29,17 +29,18 @@ Json json(const FaultRow& row, const SensitivityStudy& study)
             {"checks", checks}};
 }
 
-Json json(const Sight& sight)
+output::Json json(const Sight& sight)
 {
-    return {{"check", sight.check->id},
-            {"backend", name_of(sight.side)},
-            {"sees_a_fault", sight.sees},
-            {"smallest_coefficient_fault", sight.smallest > 0 ? Json(sight.smallest) : Json()},
-            {"place", sight.smallest > 0 ? Json(faults::places.at(sight.place).name) : Json()},
-            {"argument", sight.argument}};
+    return {
+        {"check", sight.check->id},
+        {"backend", name_of(sight.side)},
+        {"sees_a_fault", sight.sees},
+        {"smallest_coefficient_fault", sight.smallest > 0 ? output::Json(sight.smallest) : output::Json()},
+        {"place", sight.smallest > 0 ? output::Json(faults::places.at(sight.place).name) : output::Json()},
+        {"argument", sight.argument}};
 }
 
-Json json(const BaselineCase& c)
+output::Json json(const BaselineCase& c)
 {
     constexpr std::array names{"holds", "fails", "not run"};
     return {{"case", c.what.name()},
@@ -49,9 +50,9 @@ Json json(const BaselineCase& c)
 }
 
 template <class Item, class... More>
-Json list(const std::vector<Item>& items, const More&... more)
+output::Json list(const std::vector<Item>& items, const More&... more)
 {
-    Json result = Json::array();
+    output::Json result = output::Json::array();
     for (const Item& item : items) {
         result.push_back(json(item, more...));
     }
@@ -64,21 +65,21 @@ std::string sensitivity_json(const SensitivityReport& report)
 {
     const SensitivityStudy& study = report.study;
     const FaultTally all = tallies(study).back();
-    return json_text({{"verdict", verdict_of(study)},
-                      {"planted", all.planted},
-                      {"found", all.found},
-                      {"argued", all.argued},
-                      {"unexplained", all.unexplained()},
-                      {"fault_size", fault_size},
-                      {"selection", report.selection},
-                      {"command", report.command},
-                      {"date", report.date},
-                      {"machine", report.machine},
-                      {"seconds", study.seconds},
-                      {"provenance", output::provenance()},
-                      {"without_faults", list(study.baseline)},
-                      {"faults", list(study.rows, study)},
-                      {"checks", list(study.sights)}});
+    return output::json_text({{"verdict", verdict_of(study)},
+                              {"planted", all.planted},
+                              {"found", all.found},
+                              {"argued", all.argued},
+                              {"unexplained", all.unexplained()},
+                              {"fault_size", fault_size},
+                              {"selection", report.selection},
+                              {"command", report.command},
+                              {"date", report.date},
+                              {"machine", report.machine},
+                              {"seconds", study.seconds},
+                              {"provenance", output::provenance()},
+                              {"without_faults", list(study.baseline)},
+                              {"faults", list(study.rows, study)},
+                              {"checks", list(study.sights)}});
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

@@ -2,12 +2,12 @@
 // What all reports of a study count.
 #include "common/equations.hpp"
 #include "verification/sensitivity/report.hpp"
-#include "verification/suite_summary.hpp"
+#include "verification/suite/summary.hpp"
 
 #include <algorithm>
 #include <map>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 
 void FaultTally::add(const FaultRow& row)
@@ -34,7 +34,7 @@ std::vector<FaultTally> tallies(const SensitivityStudy& study)
         }
     };
     for (const Equation& equation : equations) {
-        take(std::string(equation.id), number_of(equation), equation.title);
+        take(std::string(equation.id), suite::number_of(equation), equation.title);
     }
     take("Fig. 1", "Fig. 1", "collision with the wall");
     take("3.4", "3.4", "particle controller");
@@ -79,7 +79,7 @@ std::vector<Unusable> unusable(const SensitivityStudy& study)
 {
     std::vector<Unusable> all;
     for (const BaselineCase& c : study.baseline) {
-        if (c.result.verdict == Verdict::holds) {
+        if (c.result.verdict == suite::Verdict::holds) {
             continue;
         }
         const auto known = std::ranges::find(all, c.result.message, &Unusable::why);
@@ -92,12 +92,12 @@ std::vector<Unusable> unusable(const SensitivityStudy& study)
     return all;
 }
 
-std::vector<const Check*> without_backend(const SensitivityStudy& study)
+std::vector<const suite::Check*> without_backend(const SensitivityStudy& study)
 {
-    std::vector<const Check*> checks;
-    for (const Check* check : study.checks) {
+    std::vector<const suite::Check*> checks;
+    for (const suite::Check* check : study.checks) {
         const bool computes = std::ranges::any_of(study.baseline, [&](const BaselineCase& c) {
-            return c.what.check == check && (c.result.verdict != Verdict::holds ||
+            return c.what.check == check && (c.result.verdict != suite::Verdict::holds ||
                                              c.result.reached[0].any() || c.result.reached[1].any());
         });
         if (!computes) {
@@ -146,10 +146,12 @@ std::string smallest_of(const Sight* sight)
     if (sight == nullptr) {
         return "-";
     }
-    return sight->smallest > 0
-               ? shown(sight->smallest).append(" (").append(faults::places.at(sight->place).name).append(")")
+    return sight->smallest > 0 ? suite::shown(sight->smallest)
+                                     .append(" (")
+                                     .append(faults::places.at(sight->place).name)
+                                     .append(")")
            : sight->sees ? "none of its own"
                          : "blind";
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

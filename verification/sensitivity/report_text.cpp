@@ -6,7 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 namespace
 {
@@ -39,9 +39,9 @@ std::string remarks(const SensitivityStudy& study, const std::string& heading)
         text << "- " << sight->check->id << ", " << name_of(sight->side) << ": " << reason(sight->argument)
              << "\n";
     }
-    const std::vector<const Check*> oracles = without_backend(study);
+    const std::vector<const suite::Check*> oracles = without_backend(study);
     head(!oracles.empty(), "Checks of the oracles alone: there is nothing of a backend to plant a fault in");
-    for (const Check* check : oracles) {
+    for (const suite::Check* check : oracles) {
         text << "- " << check->id << "\n";
     }
     return text.str();
@@ -107,4 +107,4 @@ std::string sensitivity_markdown(const SensitivityReport& report)
     return text.str();
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

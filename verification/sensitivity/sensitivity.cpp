@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/sensitivity/sensitivity.hpp"
 
-#include "verification/interrupt.hpp"
+#include "common/process/interrupt.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +9,7 @@
 #include <thread>
 #include <tuple>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 namespace
 {
@@ -24,18 +24,19 @@ constexpr int coarsest = 0;      ///< and the largest 1
 /// Whether faults of `side` are first looked for with this subject.
 bool is_own(const Case& c, Side side)
 {
-    return c.check->scope == Scope::once ||
+    return c.check->scope == suite::Scope::once ||
            c.subject->name() == (side == Side::reference ? "reference" : "cpu double");
 }
 
-bool lists(const Check& check, Place place)
+bool lists(const suite::Check& check, Place place)
 {
     return std::ranges::find(check.equations, equation_of(place)) != check.equations.end();
 }
 
 bool reaches(const BaselineCase& c, Side side, Place place)
 {
-    return c.result.verdict == Verdict::holds && c.result.reached.at(static_cast<std::size_t>(side))[place];
+    return c.result.verdict == suite::Verdict::holds &&
+           c.result.reached.at(static_cast<std::size_t>(side))[place];
 }
 
 bool has_coefficient(Place place)
@@ -107,7 +108,7 @@ private:
     {
         const auto rank = [&](const BaselineCase* c) {
             const bool own = is_own(c->what, fault.side);
-            const bool flow = c->what.check->level >= Level::transient;
+            const bool flow = c->what.check->level >= suite::Level::transient;
             const int group = !own ? 3 : lists(*c->what.check, fault.place) ? 0 : flow ? 1 : 2;
             return std::tuple(group, c->result.seconds);
         };
@@ -121,7 +122,7 @@ private:
         return cases;
     }
 
-    std::size_t column_of(const Check* check) const
+    std::size_t column_of(const suite::Check* check) const
     {
         return static_cast<std::size_t>(std::ranges::find(result_.checks, check) - result_.checks.begin());
     }
@@ -132,9 +133,9 @@ private:
     /// wrong powers. The dearest have their own turn, see look().
     static bool is_wanted(const BaselineCase& c, const Fault& fault, bool flow_tried)
     {
-        const bool flow = c.what.check->level >= Level::transient;
+        const bool flow = c.what.check->level >= suite::Level::transient;
         const bool of_equation = lists(*c.what.check, fault.place) || (flow && !flow_tried);
-        const bool relation = c.what.check->level == Level::metamorphic;
+        const bool relation = c.what.check->level == suite::Level::metamorphic;
         const faults::Kind kind = relation ? faults::Kind::power : faults::Kind::coefficient;
         const bool affordable = c.result.seconds < costly_s || fault.kind == kind;
         return is_own(c.what, fault.side) && of_equation && affordable && c.result.seconds < dear_s;
@@ -151,7 +152,7 @@ private:
             if (!row.survives() && (options_.daily || !is_wanted(*c, row.fault, flow_tried))) {
                 continue;
             }
-            flow_tried = flow_tried || c->what.check->level >= Level::transient;
+            flow_tried = flow_tried || c->what.check->level >= suite::Level::transient;
             const TrialResult result = tried(*c, row.fault, turn);
             cell = std::max(cell, result.red() ? Cell::red : Cell::green);
             if (result.red() && row.survives()) {
@@ -163,10 +164,10 @@ private:
     }
 
     /// The case of a check in which faults of `side` are looked for; null: there is none.
-    const BaselineCase* case_of(const Check* check, Side side) const
+    const BaselineCase* case_of(const suite::Check* check, Side side) const
     {
         for (const BaselineCase& c : result_.baseline) {
-            if (c.what.check == check && is_own(c.what, side) && c.result.verdict == Verdict::holds) {
+            if (c.what.check == check && is_own(c.what, side) && c.result.verdict == suite::Verdict::holds) {
                 return &c;
             }
         }
@@ -175,7 +176,7 @@ private:
 
     void list_sights()
     {
-        for (const Check* check : result_.checks) {
+        for (const suite::Check* check : result_.checks) {
             for (const Side side : {Side::reference, Side::device}) {
                 const BaselineCase* c = case_of(check, side);
                 if (c != nullptr && c->result.reached.at(static_cast<std::size_t>(side)).any()) {
@@ -191,7 +192,7 @@ private:
         sight.sees =
             std::ranges::any_of(result_.rows, [&](const FaultRow& row) { return is_red(row, sight); });
         std::vector<Place> seen = seen_places(sight); // with a coefficient of an equation of its own
-        if (seen.empty() && sight.check->level != Level::metamorphic) {
+        if (seen.empty() && sight.check->level != suite::Level::metamorphic) {
             seen = first_seen(sight, c, turn);
         }
         sight.sees = sight.sees || !seen.empty();
@@ -281,17 +282,17 @@ private:
     const AfterStep& after_step_;
 };
 
-std::vector<BaselineCase> cases_of(const std::vector<const Check*>& checks,
-                                   const std::vector<SuiteSubject>& subjects)
+std::vector<BaselineCase> cases_of(const std::vector<const suite::Check*>& checks,
+                                   const std::vector<suite::SuiteSubject>& subjects)
 {
     std::vector<BaselineCase> cases;
-    for (const Check* check : checks) {
-        if (check->scope == Scope::once) {
-            cases.push_back({{check, &once()}});
+    for (const suite::Check* check : checks) {
+        if (check->scope == suite::Scope::once) {
+            cases.push_back({{check, &suite::once()}});
             continue;
         }
-        for (const SuiteSubject& s : subjects) {
-            if (looks_at(*check, s.subject)) {
+        for (const suite::SuiteSubject& s : subjects) {
+            if (suite::looks_at(*check, s.subject)) {
                 cases.push_back({{check, &s.subject}});
             }
         }
@@ -301,8 +302,9 @@ std::vector<BaselineCase> cases_of(const std::vector<const Check*>& checks,
 
 } // namespace
 
-SensitivityStudy run_study(const std::vector<const Check*>& checks, std::vector<SuiteSubject> subjects,
-                           const StudyOptions& options, const AfterStep& after_step)
+SensitivityStudy run_study(const std::vector<const suite::Check*>& checks,
+                           std::vector<suite::SuiteSubject> subjects, const StudyOptions& options,
+                           const AfterStep& after_step)
 {
     const auto start = std::chrono::steady_clock::now();
     SensitivityStudy study{.checks = checks, .subjects = std::move(subjects)};
@@ -325,4 +327,4 @@ bool passed(const SensitivityStudy& study)
            std::ranges::all_of(study.sights, [&](const Sight& s) { return s.sees || argued(s); });
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 
 /// A case, and what it says without a fault; only one that holds is used.
@@ -39,7 +39,7 @@ struct FaultRow {
 
 /// What a check sees of the faults in one backend.
 struct Sight {
-    const Check* check = nullptr;
+    const suite::Check* check = nullptr;
     Side side = Side::reference;
     bool sees = false;         ///< some fault turned it red
     double smallest = 0;       ///< relative size of the smallest fault in a coefficient of an equation of its
@@ -49,8 +49,8 @@ struct Sight {
 };
 
 struct SensitivityStudy {
-    std::vector<const Check*> checks{};
-    std::vector<SuiteSubject> subjects{}; ///< that the cases are about
+    std::vector<const suite::Check*> checks{};
+    std::vector<suite::SuiteSubject> subjects{}; ///< that the cases are about
     std::vector<BaselineCase> baseline{};
     std::vector<FaultRow> rows{};
     std::vector<Sight> sights{}; ///< each check that computes with a backend; empty in a daily study
@@ -69,15 +69,16 @@ using AfterStep = std::function<void(const std::string& part, std::int64_t done,
                                      const std::string& last)>;
 
 /// `subjects`: the reference, and cpu.
-SensitivityStudy run_study(const std::vector<const Check*>& checks, std::vector<SuiteSubject> subjects,
-                           const StudyOptions& options, const AfterStep& after_step = {});
+SensitivityStudy run_study(const std::vector<const suite::Check*>& checks,
+                           std::vector<suite::SuiteSubject> subjects, const StudyOptions& options,
+                           const AfterStep& after_step = {});
 
 /// Why no check can find this fault; empty: no reason is known.
 std::string_view argument_for(const Fault& fault);
 /// Why no fault in this backend can turn this check red; empty: no reason is known.
-std::string_view argument_for(const Check& check, Side side);
+std::string_view argument_for(const suite::Check& check, Side side);
 
 /// No case is red without a fault, each fault is found or argued, and each check sees some or is argued.
 bool passed(const SensitivityStudy& study);
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

@@ -2,7 +2,7 @@
 #include "verification/sensitivity/trial.hpp"
 
 #include "common/error.hpp"
-#include "verification/json.hpp"
+#include "output/json.hpp"
 
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -16,7 +16,7 @@
 #include <cstring>
 #include <initializer_list>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 namespace
 {
@@ -58,14 +58,14 @@ std::string run(const Case& c, const std::optional<Fault>& fault, double limit_s
     analytic::gsl_return_errors();
     if (fault) {
         faults::planted = *fault;
-        Quantity::first_failure_ends = true;
+        suite::Quantity::first_failure_ends = true;
     }
-    const CheckResult result = run_check(*c.check, *c.subject);
+    const suite::CheckResult result = suite::run_check(*c.check, *c.subject);
     const Reached reached = reached_places();
-    return Json{{"verdict", static_cast<int>(result.verdict)},
-                {"message", result.message},
-                {"reached", {text_of(reached[0]), text_of(reached[1])}}}
-        .dump(-1, ' ', false, Json::error_handler_t::replace);
+    return output::Json{{"verdict", static_cast<int>(result.verdict)},
+                        {"message", result.message},
+                        {"reached", {text_of(reached[0]), text_of(reached[1])}}}
+        .dump(-1, ' ', false, output::Json::error_handler_t::replace);
 }
 
 void write_all(int to, const std::string& text)
@@ -121,13 +121,13 @@ std::string why(int status)
 TrialResult parsed(const std::string& text, const End& end)
 {
     if (WIFSIGNALED(end.status) && WTERMSIG(end.status) == SIGINT) {
-        return {.verdict = Verdict::not_run, .message = interruption};
+        return {.verdict = suite::Verdict::not_run, .message = suite::interruption};
     }
     if (WIFSIGNALED(end.status) || text.empty()) {
-        return {.verdict = Verdict::fails, .message = why(end.status), .seconds = end.seconds};
+        return {.verdict = suite::Verdict::fails, .message = why(end.status), .seconds = end.seconds};
     }
-    const Json json = Json::parse(text);
-    TrialResult result{.verdict = static_cast<Verdict>(json["verdict"].get<int>()),
+    const output::Json json = output::Json::parse(text);
+    TrialResult result{.verdict = static_cast<suite::Verdict>(json["verdict"].get<int>()),
                        .message = json["message"],
                        .seconds = end.seconds};
     for (std::size_t side = 0; side < result.reached.size(); ++side) {
@@ -140,7 +140,8 @@ TrialResult parsed(const std::string& text, const End& end)
 
 std::string Case::name() const
 {
-    return std::string(check->id) + " (" + (check->scope == Scope::once ? "once" : subject->name()) + ")";
+    return std::string(check->id) + " (" + (check->scope == suite::Scope::once ? "once" : subject->name()) +
+           ")";
 }
 
 TrialResult run_trial(const Case& c, const std::optional<Fault>& fault, double limit_s, Turn& turn)
@@ -167,4 +168,4 @@ TrialResult run_trial(const Case& c, const std::optional<Fault>& fault, double l
     return parsed(text, end);
 }
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "verification/sensitivity/faults.hpp"
-#include "verification/suite.hpp"
+#include "verification/suite/suite.hpp"
 
 #include <array>
 #include <bitset>
@@ -11,13 +11,13 @@
 #include <optional>
 #include <string>
 
-namespace aneurysm::verification
+namespace aneurysm::sensitivity
 {
 
 /// A check and whose equations and flows it looks at.
 struct Case {
-    const Check* check = nullptr;
-    const Subject* subject = nullptr;
+    const suite::Check* check = nullptr;
+    const suite::Subject* subject = nullptr;
 
     std::string name() const; ///< "eq13_pole (reference)"
 };
@@ -26,12 +26,12 @@ struct Case {
 using Reached = std::array<std::bitset<place_count>, 2>;
 
 struct TrialResult {
-    Verdict verdict = Verdict::not_run;
+    suite::Verdict verdict = suite::Verdict::not_run;
     std::string message{}; ///< why it fails: a quantity, an exception, a crash, no end
     double seconds = 0;    ///< of CPU time
     Reached reached{};
 
-    bool red() const { return verdict == Verdict::fails; }
+    bool red() const { return verdict == suite::Verdict::fails; }
 };
 
 /// Held by each thread of this process unless it waits for a child, so that no thread is in the middle of
@@ -42,4 +42,4 @@ using Turn = std::unique_lock<std::mutex>;
 /// \throws Error when there can be no other process
 TrialResult run_trial(const Case& c, const std::optional<Fault>& fault, double limit_s, Turn& turn);
 
-} // namespace aneurysm::verification
+} // namespace aneurysm::sensitivity

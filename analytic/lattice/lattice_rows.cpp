@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analytic/lattice/lattice_rows.hpp"
+
+#include "analytic/kernel_function.hpp"
+
+#include <gsl/gsl_poly.h>
+
+#include <numbers>
+#include <vector>
+
+namespace aneurysm::analytic
+{
+namespace
+{
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using std::numbers::pi;
+constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+
+double viscosity_kernel(const Lattice& l, double r)
+{
+    const double H = 2 * l.h;
+    return r > 0 ? viscosity_kernel_laplacian(H, r) : 45 / (pi * std::pow(H, 5));
+}
+
+/// Sum over row n, slid by s, of f(x, y, z) within the support; `terms` counts them.
+template <class F>
+double row_sum(const Lattice& l, int n, double s, F f, int* terms = nullptr)
+{
+    const int reach = static_cast<int>(std::ceil(2 * l.h / l.dx)) + 1;
+    const double y = n * l.dx;
+    double sum = 0;
+    for (int i = -reach; i <= reach; ++i) {
+        for (int k = -reach; k <= reach; ++k) {
+            const double r = std::hypot(i * l.dx + s, y, k * l.dx);
+            if (r <= 2 * l.h) {
+                sum += f(r, y);
+                if (terms != nullptr) {
+                    ++*terms;
+                }
+            }
+        }
+    }
+    return sum;
+}
+
+int rows_within_reach(const Lattice& l)
+{
+    return static_cast<int>(std::floor(2 * l.h / l.dx));
+}
+
+/// Extremes over s of sum_{n > 0} weight(n) row_sum(n, s_n), each s_n by itself, of a kernel no steeper than
+/// `steepest`. A row is symmetric in s and repeats with dx.
+template <class Kernel, class Weight>
+Range sliding_sum(const Lattice& l, Kernel f, double steepest, Weight weight)
+{
+    constexpr int points = 4096;
+    Range sum;
+    for (int n = 1; n <= rows_within_reach(l); ++n) {
+        double least = std::numeric_limits<double>::infinity();
+        double most = 0;
+        int terms = 0;
+        for (int point = 0; point <= points; ++point) {
+            int here = 0;
+            const double S = row_sum(
+                l, n, l.dx / 2 * point / points, [&](double r, double) { return f(r); }, &here);
+            least = std::min(least, S);
+            most = std::max(most, S);
+            terms = std::max(terms, here);
+        }
+        // a point is nearest to half a step; one term may come in between two points
+        const double between = (terms + 1) * steepest * l.dx / 4 / points;
+        sum.least += weight(n) * (least - between);
+        sum.most += weight(n) * (most + between);
+    }
+    return sum;
+}
+
+double volume(const Lattice& l)
+{
+    return 1 / kernel_sum(l).value;
+}
+
+MatrixXd row_matrix(const RowColumn& column)
+{
+    const Lattice& l = column.lattice;
+    MatrixXd B = MatrixXd::Zero(column.rows, column.rows);
+    for (int n = 1; n <= std::min(rows_within_reach(l), column.rows - 1); ++n) {
+        const double gamma =
+            row_sum(l, n, 0, [&](double r, double y) { return -y / r * kernel_slope(l.kernel, l.h, r); });
+        B.diagonal(n).setConstant(gamma);
+        B.diagonal(-n).setConstant(-gamma);
+    }
+    return B;
+}
+
+MatrixXd columns_of(const MatrixXd& M, const std::vector<bool>& chosen)
+{
+    MatrixXd some(M.rows(), std::count(chosen.begin(), chosen.end(), true));
+    Index next = 0;
+    for (Index j = 0; j < M.cols(); ++j) {
+        if (chosen[static_cast<std::size_t>(j)]) {
+            some.col(next++) = M.col(j);
+        }
+    }
+    return some;
+}
+
+/// The p of chosen columns with the least |M p - b|, 0 elsewhere.
+VectorXd least_squares(const MatrixXd& M, const VectorXd& b, const std::vector<bool>& chosen)
+{
+    const VectorXd some = columns_of(M, chosen).colPivHouseholderQr().solve(b);
+    VectorXd p = VectorXd::Zero(M.cols());
+    Index next = 0;
+    for (Index j = 0; j < M.cols(); ++j) {
+        if (chosen[static_cast<std::size_t>(j)]) {
+            p(j) = some(next++);
+        }
+    }
+    return p;
+}
+
+/// How far toward `end` p may go before one of the chosen is 0; that one leaves.
+double step_to_border(const VectorXd& p, const VectorXd& end, std::vector<bool>& chosen)
+{
+    double step = 1;
+    Index first = -1;
+    for (Index j = 0; j < p.size(); ++j) {
+        if (chosen[static_cast<std::size_t>(j)] && end(j) <= 0 && p(j) / (p(j) - end(j)) <= step) {
+            step = p(j) / (p(j) - end(j));
+            first = j;
+        }
+    }
+    if (first >= 0) {
+        chosen[static_cast<std::size_t>(first)] = false;
+    }
+    return step;
+}
+
+/// p >= 0 with the least |M p - b|; `chosen`: where p > 0. Slopes below `flat` count as 0.
+VectorXd nonnegative_least_squares(const MatrixXd& M, const VectorXd& b, double flat,
+                                   std::vector<bool>& chosen)
+{
+    VectorXd p = VectorXd::Zero(M.cols());
+    chosen.assign(static_cast<std::size_t>(M.cols()), false);
+    for (Index turn = 0; turn < 10 * M.cols(); ++turn) {
+        VectorXd slope = M.transpose() * (b - M * p);
+        for (Index j = 0; j < slope.size(); ++j) {
+            slope(j) = chosen[static_cast<std::size_t>(j)] ? 0 : slope(j);
+        }
+        Index steepest = 0;
+        if (slope.maxCoeff(&steepest) <= flat) {
+            return p;
+        }
+        chosen[static_cast<std::size_t>(steepest)] = true;
+        double step = 0;
+        while (step < 1) {
+            const VectorXd end = least_squares(M, b, chosen);
+            step = step_to_border(p, end, chosen);
+            p += step * (end - p);
+        }
+    }
+    throw GslError("non-negative least squares", GSL_EMAXITER);
+}
+
+/// Largest row sum of magnitudes.
+double norm(const MatrixXd& M)
+{
+    return M.size() > 0 ? M.cwiseAbs().rowwise().sum().maxCoeff() : 0;
+}
+
+} // namespace
+
+Estimate viscosity_ratio(const Lattice& l)
+{
+    double sum = 0;
+    double terms = 0;
+    for (int n = -rows_within_reach(l); n <= rows_within_reach(l); ++n) {
+        int here = 0;
+        sum += row_sum(
+            l, n, 0, [&](double r, double) { return r * r * viscosity_kernel(l, r); }, &here);
+        terms += here;
+    }
+    const Estimate density = kernel_sum(l);
+    const double ratio = sum / (6 * density.value);
+    // 16 u of the largest term: r^2 lap W is at most H^2 times lap W at 0
+    const double largest = 4 * l.h * l.h * viscosity_kernel(l, 0) / (6 * density.value);
+    return {ratio, ratio * (density.error / density.value + (terms + 40) * u) + 16 * terms * u * largest};
+}
+
+Range sliding_viscosity_ratio(const Lattice& l)
+{
+    const double H = 2 * l.h;
+    const double V = volume(l);
+    return sliding_sum(
+        l, [&](double r) { return viscosity_kernel(l, r); }, viscosity_kernel(l, 0) / H,
+        [&](int n) { return V * n * l.dx * n * l.dx; });
+}
+
+Range sliding_density_ratio(const Lattice& l)
+{
+    const auto W = [&](double r) { return kernel(l.kernel, l.h, r); };
+    const double at = l.kernel == KernelName::cubic_spline ? 2 * l.h / 3 : l.h / 2;
+    const double V = volume(l);
+    const double own = V * row_sum(l, 0, 0, [&](double r, double) { return W(r); });
+    const Range others = sliding_sum(l, W, -kernel_slope(l.kernel, l.h, at), [&](int) { return 2 * V; });
+    return {own + others.least, own + others.most};
+}
+
+double wall_layer_ratio(const Lattice& l)
+{
+    // (z^n + z^-n - 2) z/(z - 1)^2 = sum_{|k| < n} (n - |k|) z^k
+    const int m = rows_within_reach(l);
+    std::vector<double> coefficients(static_cast<std::size_t>(2 * m - 1), 0);
+    for (int n = 1; n <= m; ++n) {
+        const double S = row_sum(l, n, 0, [&](double r, double) { return viscosity_kernel(l, r); });
+        for (int k = 1 - n; k < n; ++k) {
+            coefficients.at(static_cast<std::size_t>(m + k) - 1) += (n - std::abs(k)) * S;
+        }
+    }
+    while (coefficients.size() > 1 && coefficients.back() < 64 * u * coefficients[coefficients.size() / 2]) {
+        coefficients = {coefficients.begin() + 1, coefficients.end() - 1}; // a row at the support's end
+    }
+    if (coefficients.size() == 1) {
+        return 0;
+    }
+    gsl_return_errors();
+    const std::size_t n = coefficients.size();
+    const Owned<gsl_poly_complex_workspace, gsl_poly_complex_workspace_free> work(
+        gsl_poly_complex_workspace_alloc(n));
+    std::vector<double> z(2 * (n - 1));
+    gsl_check(gsl_poly_complex_solve(coefficients.data(), n, work.get(), z.data()), "roots of a polynomial");
+    double largest = 0;
+    for (std::size_t root = 0; root + 1 < n; ++root) {
+        const double size = std::hypot(z[2 * root], z[2 * root + 1]);
+        largest = size < 1 ? std::max(largest, size) : largest;
+    }
+    return largest;
+}
+
+RowPressure row_pressure(const RowColumn& column, double v, double dt)
+{
+    const double m = column.rho_0 * volume(column.lattice);
+    const MatrixXd B = row_matrix(column);
+    const MatrixXd M = dt * m / (column.rho_0 * column.rho_0) * B;
+    const VectorXd start = VectorXd::Constant(column.rows, v);
+    const double flat = 64 * column.rows * u * norm(M) * std::abs(v);
+
+    RowPressure result;
+    std::vector<bool> pressed;
+    result.pressure = nonnegative_least_squares(M, start, flat, pressed);
+    result.velocity = start - M * result.pressure;
+    result.rate = -m * B * result.velocity;
+
+    const MatrixXd active = columns_of(B, pressed);
+    const MatrixXd inverse = (active.transpose() * active).inverse();
+    result.pressure_per_residual = norm(inverse) * std::pow(column.rho_0, 3) / (dt * m * m);
+    result.velocity_per_residual = norm(active * inverse) * column.rho_0 / m;
+    double off = 0; // rate / rho_0, where it should be 0
+    std::vector<bool> still(pressed.size());
+    for (std::size_t i = 0; i < pressed.size(); ++i) {
+        const double rate = std::abs(result.rate(static_cast<Index>(i)));
+        off = pressed[i] ? std::max(off, rate / column.rho_0) : off;
+        still[i] = pressed[i] || rate <= m / (dt * m / (column.rho_0 * column.rho_0)) * flat;
+    }
+    // the rounding of the residual: at most 2 rows + 64 operations on each term
+    off += (2 * column.rows + 64) * u * m / column.rho_0 * norm(B) *
+           (std::abs(v) + norm(M) * result.pressure.cwiseAbs().maxCoeff());
+    result.pressure_error = result.pressure_per_residual * off;
+    result.velocity_error = result.velocity_per_residual * off + 8 * u * std::abs(v);
+    const MatrixXd free = columns_of(B, still);
+    result.null_modes =
+        static_cast<int>(free.cols() - (free.cols() > 0 ? free.colPivHouseholderQr().rank() : 0));
+    return result;
+}
+
+} // namespace aneurysm::analytic

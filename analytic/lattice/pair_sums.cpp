@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "analytic/lattice/pair_sums.hpp"
+
+#include "analytic/kernel_function.hpp"
+
+namespace aneurysm::analytic
+{
+namespace
+{
+
+using Eigen::Vector3d;
+constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+
+/// The component nearest to 0 among all periodic images.
+double nearest(double d, double period)
+{
+    const double once = std::fmod(d, period);
+    return once > period / 2 ? once - period : once < -period / 2 ? once + period : once;
+}
+
+Vector3d difference(const Cloud& c, const Vector3d& a, const Vector3d& b)
+{
+    return (a - b).unaryExpr([&](double d) { return nearest(d, c.period); });
+}
+
+/// Bounds of |W|, |dW/dr| and |lap W| and of how fast each changes, for the error of a term.
+double largest_kernel(const Cloud& c)
+{
+    return kernel(c.kernel, c.h, 0);
+}
+double largest_slope(const Cloud& c)
+{
+    return -kernel_slope(c.kernel, c.h, c.kernel == KernelName::cubic_spline ? 2 * c.h / 3 : c.h / 2);
+}
+double largest_laplacian(const Cloud& c)
+{
+    return 2 * viscosity_kernel_laplacian(2 * c.h, c.h);
+}
+
+Vector3d gradient(const Cloud& c, const Vector3d& x)
+{
+    const double r = x.norm();
+    return r > 0 ? Vector3d(kernel_slope(c.kernel, c.h, r) / r * x) : Vector3d::Zero();
+}
+
+/// Error of a sum whose terms' factors, times the largest value of what they multiply, add up to `magnitude`.
+double rounding(const Cloud& c, int terms, double magnitude)
+{
+    return u * (terms + 32 + 8 * c.period / c.h) * magnitude;
+}
+
+/// sum_j of term(j, x_ij), a vector, over all j within the support; factor(j) bounds what multiplies the
+/// kernel.
+template <class Term, class Factor>
+VectorEstimate sum_over_pairs(const Cloud& c, const Vector3d& r, double largest, Term term, Factor factor)
+{
+    VectorEstimate sum;
+    double magnitude = 0;
+    int terms = 0;
+    for (std::size_t j = 0; j < c.position.size(); ++j) {
+        const Vector3d x = difference(c, r, c.position[j]);
+        if (x.norm() < 2 * c.h) {
+            sum.value += term(j, x);
+            magnitude += std::abs(factor(j)) * largest;
+            ++terms;
+        }
+    }
+    sum.error = rounding(c, terms, magnitude);
+    return sum;
+}
+
+/// The same for numbers.
+template <class Term, class Factor>
+Estimate scalar_sum(const Cloud& c, const Vector3d& r, double largest, Term term, Factor factor)
+{
+    const VectorEstimate sum = sum_over_pairs(
+        c, r, largest, [&](std::size_t j, const Vector3d& x) { return Vector3d(term(j, x), 0, 0); }, factor);
+    return {sum.value.x(), sum.error};
+}
+
+} // namespace
+
+Estimate pair_density_rate(const Cloud& c, std::size_t i)
+{
+    return scalar_sum(
+        c, c.position[i], largest_slope(c),
+        [&](std::size_t j, const Vector3d& x) {
+            return c.mass[j] * (c.velocity[i] - c.velocity[j]).dot(gradient(c, x));
+        },
+        [&](std::size_t j) { return c.mass[j] * (c.velocity[i].norm() + c.velocity[j].norm()); });
+}
+
+Estimate pair_interpolation(const Cloud& c, const Vector3d& r)
+{
+    Estimate sum;
+    double magnitude = 0;
+    for (std::size_t j = 0; j < c.position.size(); ++j) {
+        const double factor = c.pressure[j] * c.mass[j] / c.density[j];
+        const double W = kernel(c.kernel, c.h, (r - c.position[j]).norm());
+        sum.value += factor * W;
+        magnitude += W > 0 ? std::abs(factor) * largest_kernel(c) : 0;
+    }
+    sum.error = rounding(c, static_cast<int>(c.position.size()), magnitude);
+    return sum;
+}
+
+Estimate pair_density(const Cloud& c, std::size_t i)
+{
+    return scalar_sum(
+        c, c.position[i], largest_kernel(c),
+        [&](std::size_t j, const Vector3d& x) { return c.mass[j] * kernel(c.kernel, c.h, x.norm()); },
+        [&](std::size_t j) { return c.mass[j]; });
+}
+
+double pair_density_later(const Cloud& c, std::size_t i, double t)
+{
+    double sum = 0;
+    for (std::size_t j = 0; j < c.position.size(); ++j) {
+        const Vector3d x = difference(c, c.position[i], c.position[j]) + t * (c.velocity[i] - c.velocity[j]);
+        sum += c.mass[j] * kernel(c.kernel, c.h, x.norm());
+    }
+    return sum;
+}
+
+VectorEstimate pair_pressure_force(const Cloud& c, std::size_t i)
+{
+    const auto mean = [&](std::size_t j) {
+        return (c.pressure[i] + (c.free[j] ? c.pressure[j] : c.pressure[i])) / 2;
+    };
+    const auto factor = [&](std::size_t j) { return c.mass[j] / c.density[j] * mean(j); };
+    const auto size = [&](std::size_t j) {
+        return c.mass[j] / c.density[j] * (std::abs(c.pressure[i]) + std::abs(c.pressure[j]));
+    };
+    return sum_over_pairs(
+        c, c.position[i], largest_slope(c),
+        [&](std::size_t j, const Vector3d& x) { return Vector3d(-factor(j) * gradient(c, x)); }, size);
+}
+
+VectorEstimate pair_viscosity_force(const Cloud& c, double mu, std::size_t i)
+{
+    return sum_over_pairs(
+        c, c.position[i], largest_laplacian(c),
+        [&](std::size_t j, const Vector3d& x) {
+            const double lap =
+                x.norm() > 0 ? viscosity_kernel_laplacian(2 * c.h, x.norm()) : 0; // times v_i - v_i
+            return Vector3d(mu * c.mass[j] / c.density[j] * lap * (c.velocity[j] - c.velocity[i]));
+        },
+        [&](std::size_t j) {
+            return mu * c.mass[j] / c.density[j] * (c.velocity[i].norm() + c.velocity[j].norm());
+        });
+}
+
+VectorEstimate pair_pressure_acceleration(const Cloud& c, double rho_0, std::size_t i)
+{
+    const auto both = [&](std::size_t j) { return c.pressure[i] + (c.free[j] ? c.pressure[j] : 0); };
+    return sum_over_pairs(
+        c, c.position[i], largest_slope(c),
+        [&](std::size_t j, const Vector3d& x) {
+            return Vector3d(-c.mass[j] / std::pow(rho_0, 2) * both(j) * gradient(c, x));
+        },
+        [&](std::size_t j) {
+            return c.mass[j] / std::pow(rho_0, 2) * (std::abs(both(j)) + std::abs(c.pressure[i]));
+        });
+}
+
+Estimate pair_dfsph_factor(const Cloud& c, std::size_t i)
+{
+    const double g = largest_slope(c);
+    const auto mass = [&](std::size_t j) { return c.mass[j]; };
+    const VectorEstimate sum = sum_over_pairs(
+        c, c.position[i], g,
+        [&](std::size_t j, const Vector3d& x) { return Vector3d(c.mass[j] * gradient(c, x)); }, mass);
+    const Estimate squares = scalar_sum(
+        c, c.position[i], 2 * g * g,
+        [&](std::size_t j, const Vector3d& x) {
+            return c.free[j] ? (c.mass[j] * gradient(c, x)).squaredNorm() : 0.0;
+        },
+        [&](std::size_t j) { return c.mass[j] * c.mass[j]; });
+    const double denominator = sum.value.squaredNorm() + squares.value;
+    const double error = 2 * sum.value.cwiseAbs().sum() * sum.error + squares.error;
+    return {1 / denominator, (error / denominator + 8 * u) / denominator};
+}
+
+std::vector<std::size_t> pair_neighbors(const Cloud& c, std::size_t i)
+{
+    std::vector<std::size_t> all;
+    for (std::size_t j = 0; j < c.position.size(); ++j) {
+        if (j != i && difference(c, c.position[i], c.position[j]).norm() < 2 * c.h) {
+            all.push_back(j);
+        }
+    }
+    return all;
+}
+
+} // namespace aneurysm::analytic

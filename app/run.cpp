@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run.hpp"
+
+#include "common/error.hpp"
+#include "common/process/interrupt.hpp"
+#include "common/process/progress.hpp"
+#include "output/columns.hpp"
+#include "output/frames.hpp"
+#include "output/run_directory.hpp"
+#include "output/summary.hpp"
+#include "verification/backends/backend_for.hpp"
+#include "verification/backends/run_frames.hpp"
+
+#include <iomanip>
+#include <iostream>
+#include <utility>
+
+namespace aneurysm::app
+{
+namespace
+{
+
+using output::RunDirectory;
+
+/// What to run and from where.
+struct Start {
+    Scenario scenario;
+    std::filesystem::path out;
+    std::optional<output::Checkpoint> checkpoint;
+    std::int64_t frames = 0;
+};
+
+Start fresh_start(const RunOptions& options)
+{
+    if (options.scenario.empty()) {
+        throw InputError("SCENARIO", "no scenario file given",
+                         "needed: a file such as data/scenarios/quick.json");
+    }
+    Start start;
+    start.scenario = read_scenario(options.scenario);
+    start.out = options.out.empty() ? std::filesystem::path("results") / start.scenario.name : options.out;
+    if (std::filesystem::exists(start.out)) {
+        throw InputError(start.out.string(), "output directory exists",
+                         "needed: another --out, or --resume to go on");
+    }
+    return start;
+}
+
+Start resumed_start(const RunOptions& options)
+{
+    if (options.out.empty()) {
+        throw InputError("--resume", "no directory given to go on in",
+                         "needed: --out DIR of the interrupted run");
+    }
+    Start start;
+    start.out = options.out;
+    const std::filesystem::path file = RunDirectory::checkpoint_file(options.out);
+    start.checkpoint = output::read_checkpoint(file);
+    start.scenario = start.checkpoint->scenario;
+    if (!options.scenario.empty()) {
+        const std::string now = scenario_hash(read_scenario(options.scenario));
+        const std::string then = scenario_hash(start.scenario);
+        if (now != then) {
+            throw InputError(options.scenario.string(),
+                             "is another scenario (hash " + now + ") than that of " + file.string(),
+                             "needed: the same (" + then + "), or none");
+        }
+    }
+    return start;
+}
+
+Start make_start(const RunOptions& options)
+{
+    Start start = options.resume ? resumed_start(options) : fresh_start(options);
+    start.frames = options.frames.value_or(start.scenario.time.frames);
+    if (start.frames < 1) {
+        throw InputError("--frames", "out of range (" + std::to_string(start.frames) + ")",
+                         "allowed: at least 1");
+    }
+    const std::int64_t done = start.checkpoint ? start.checkpoint->state.frame : 0;
+    if (done >= start.frames) {
+        throw InputError("--frames", "frame " + std::to_string(start.frames) + " is done already",
+                         "needed: more than " + std::to_string(done));
+    }
+    return start;
+}
+
+void print_summary(const Start& start, double rate)
+{
+    std::cout << "Results in " << start.out.string() << "\n"
+              << output::summary(start.scenario, output::read_frames(RunDirectory::frames_file(start.out)))
+              << "  speed          " << std::setprecision(4) << rate << " frames/s\n"
+              << "frames.csv has the numbers of every frame; ParaView opens particles.vtkhdf.series"
+              << std::endl;
+}
+
+} // namespace
+
+int run(const RunOptions& options)
+{
+    const Start start = make_start(options);
+    const std::unique_ptr<backends::Backend> backend =
+        backends::make_backend_for(options.scenario, options.backend, start.scenario,
+                                   start.checkpoint ? std::optional(start.checkpoint->state) : std::nullopt);
+    const output::Engine engine{options.backend.name, options.backend.precision, backend->device()};
+    const InterruptWatch watch;
+    RunDirectory directory = start.checkpoint ? RunDirectory::resume(start.out, *start.checkpoint, engine)
+                                              : RunDirectory::create(start.out, start.scenario, engine);
+    bool complete = false;
+    double rate = 0;
+    {
+        Progress progress("frame", backend->state().frame, start.frames);
+        complete = backends::run_frames(
+            start.scenario, start.frames, *backend, directory,
+            [&](const FrameRecord& record) { progress.show(record.frame, output::name_of(record.phase)); });
+        rate = progress.per_second(backend->state().frame);
+    }
+    print_summary(start, rate);
+    if (!complete) {
+        std::cerr << "interrupted after frame " << backend->state().frame
+                  << "; go on with: aneurysm run --resume --out " << start.out.string() << "\n";
+    }
+    return complete ? 0 : 130;
+}
+
+} // namespace aneurysm::app

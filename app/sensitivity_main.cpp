@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program `aneurysm-sensitivity`, which `aneurysm verify --sensitivity` hands over to: both backends with
+// places for planted faults.
+#include "app/verify.hpp"
+#include "common/error.hpp"
+#include "common/process/interrupt.hpp"
+#include "common/process/progress.hpp"
+#include "output/file.hpp"
+#include "output/provenance.hpp"
+#include "verification/checks/checks.hpp"
+#include "verification/sensitivity/report.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+#include <set>
+
+namespace
+{
+
+using namespace aneurysm;
+using namespace aneurysm::app;
+
+constexpr int bad_input = 2;
+
+struct Options {
+    std::filesystem::path out;
+    std::string faults = "all";
+    std::vector<std::string> only;
+    bool full = false;
+    int jobs = 0;
+};
+
+/// All of them, or those in an equation that one of these checks lists.
+std::vector<sensitivity::Fault> chosen_faults(const Options& options,
+                                              const std::vector<const suite::Check*>& checks)
+{
+    if (options.faults != "all" && options.faults != "ci") {
+        throw InputError("--faults", "unknown (" + options.faults + ")", "allowed: all, ci");
+    }
+    std::vector<sensitivity::Fault> faults =
+        options.faults == "ci" ? sensitivity::daily_faults() : sensitivity::all_faults();
+    if (!options.only.empty()) {
+        std::set<std::string_view> listed;
+        for (const suite::Check* check : checks) {
+            listed.insert(check->equations.begin(), check->equations.end());
+        }
+        std::erase_if(faults, [&](const sensitivity::Fault& f) {
+            return !listed.contains(sensitivity::equation_of(f.place));
+        });
+    }
+    return faults;
+}
+
+sensitivity::SensitivityStudy run(const std::vector<const suite::Check*>& checks,
+                                  const sensitivity::StudyOptions& options)
+{
+    std::unique_ptr<Progress> progress;
+    std::string shown;
+    const InterruptWatch watch;
+    return sensitivity::run_study(
+        checks, suite::make_subjects({"reference", "cpu"}), options,
+        [&](const std::string& part, std::int64_t done, std::int64_t all, const std::string& last) {
+            if (part != shown) {
+                progress = std::make_unique<Progress>(part, 0, all);
+                shown = part;
+            }
+            progress->show(done, last);
+        });
+}
+
+void write(const std::filesystem::path& directory, const sensitivity::SensitivityReport& report)
+{
+    output::write_atomically(directory / "sensitivity.json", sensitivity::sensitivity_json(report));
+    output::write_atomically(directory / "sensitivity.md", sensitivity::sensitivity_markdown(report));
+    output::write_atomically(directory / "sensitivity.html", sensitivity::sensitivity_html(report));
+}
+
+int sensitivity(const Options& options)
+{
+    const std::vector<const suite::Check*> checks =
+        suite::select(checks::all_checks(), options.full, options.only);
+    const sensitivity::StudyOptions study{.faults = chosen_faults(options, checks),
+                                          .daily = options.faults == "ci",
+                                          .jobs = threads_of(options.jobs)};
+    make_report_directory(options.out);
+    const std::string only = options.only.empty() ? "" : " --only " + joined(options.only);
+    const sensitivity::SensitivityReport report{
+        .study = run(checks, study),
+        .selection = std::string(study.daily ? "The 24 faults of every day, " : "All faults, ") +
+                     std::to_string(checks.size()) + " of the suite's " +
+                     std::to_string(checks::all_checks().size()) + " checks",
+        .command = std::string("aneurysm verify --sensitivity") + (options.full ? " --full" : "") +
+                   (study.daily ? " --faults ci" : "") + only + " --out DIR",
+        .date = output::now_utc(),
+        .machine = output::machine(),
+        .jobs = study.jobs};
+    write(options.out, report);
+    std::cout << sensitivity::sensitivity_text(report) << "Reports in " << options.out.string()
+              << ": sensitivity.html, sensitivity.md, sensitivity.json" << std::endl;
+    return !report.study.complete ? exit_interrupted : sensitivity::passed(report.study) ? 0 : exit_failed;
+}
+
+int parse_and_run(int argc, char** argv)
+{
+    CLI::App app("Plants faults in the equations, one at a time, to see which check notices.",
+                 "aneurysm-sensitivity");
+    Options options;
+    app.add_option("--out", options.out, "directory for the reports; must not exist, or be empty")
+        ->required();
+    app.add_option("--faults", options.faults, "all; ci: 24 that take a minute")->capture_default_str();
+    app.add_option("--only", options.only, "as of aneurysm verify")->delimiter(',');
+    app.add_flag("--full", options.full, "with the checks that take minutes");
+    app.add_option("--jobs", options.jobs, "processes at once; 0: as many as there are cores");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+            return app.exit(error); // --help
+        }
+        throw InputError("command line", error.what(), "see aneurysm-sensitivity --help");
+    }
+    return sensitivity(options);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return parse_and_run(argc, argv);
+    } catch (const InputError& error) {
+        std::cerr << "aneurysm: " << error.what() << "\n";
+        return bad_input;
+    } catch (const std::exception& error) {
+        std::cerr << "aneurysm: " << error.what() << "\n";
+        return 1;
+    }
+}

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common/scenario/json.hpp"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <type_traits>
+
+namespace aneurysm::fields
+{
+namespace
+{
+
+std::string list(const std::set<std::string>& names)
+{
+    std::string text;
+    for (const auto& name : names) {
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text;
+}
+
+/// One JSON value into one member.
+class Reader
+{
+public:
+    Reader(const Json& json, const std::string& origin, std::set<std::string>& present)
+        : json_(json), origin_(origin), present_(present)
+    {
+    }
+
+    template <class Member>
+    void operator()(const Field& field, Member& member) const
+    {
+        const auto [group, key] = split(field.path);
+        const Json* parent = &json_;
+        if (!group.empty()) {
+            const auto it = json_.find(group);
+            if (it == json_.end()) {
+                return;
+            }
+            parent = &*it;
+        }
+        const auto it = parent->find(key);
+        if (it != parent->end()) {
+            read(field, *it, member);
+            present_.insert(std::string(field.path));
+        }
+    }
+
+private:
+    [[noreturn]] void refuse(const Field& field, const std::string& what, const Json& value,
+                             const std::string& allowed) const
+    {
+        throw InputError(place(origin_, field.path), what + " (" + shown(value) + ")", "allowed: " + allowed);
+    }
+
+    double number(const Field& field, const Json& value) const
+    {
+        if (!value.is_number()) {
+            refuse(field, "not a number", value, describe(field.range, false));
+        }
+        const auto x = value.get<double>();
+        if (!std::isfinite(x) || !field.range.contains(x)) {
+            refuse(field, "out of range", value, describe(field.range, false));
+        }
+        return x;
+    }
+
+    void read(const Field& field, const Json& value, double& member) const { member = number(field, value); }
+
+    void read(const Field& field, const Json& value, std::int64_t& member) const
+    {
+        if (!value.is_number_integer()) {
+            refuse(field, "not an integer", value, describe(field.range, true));
+        }
+        const bool too_large = value.is_number_unsigned() &&
+                               value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max();
+        if (too_large || !field.range.contains(value.get<double>())) {
+            refuse(field, "out of range", value, describe(field.range, true));
+        }
+        member = value.get<std::int64_t>();
+    }
+
+    void read(const Field& field, const Json& value, std::string& member) const
+    {
+        if (!value.is_string()) {
+            refuse(field, "not a string", value, "a string");
+        }
+        member = value.get<std::string>();
+    }
+
+    void read(const Field& field, const Json& value, Vec3& member) const
+    {
+        if (!value.is_array() || value.size() != 3) {
+            refuse(field, "not a vector", value, "an array of three numbers");
+        }
+        member = {number(field, value[0]), number(field, value[1]), number(field, value[2])};
+    }
+
+    void read(const Field& field, const Json& value, std::vector<double>& member) const
+    {
+        if (!value.is_array()) {
+            refuse(field, "not an array", value, "an array of numbers");
+        }
+        member.clear();
+        for (const Json& x : value) {
+            member.push_back(number(field, x));
+        }
+    }
+
+    template <class Enum>
+    requires std::is_enum_v<Enum>
+    void read(const Field& field, const Json& value, Enum& member) const
+    {
+        std::string names;
+        for (std::size_t i = 0; i < Names<Enum>::values.size(); ++i) {
+            if (value.is_string() && value.get_ref<const std::string&>() == Names<Enum>::values[i]) {
+                member = static_cast<Enum>(i);
+                return;
+            }
+            names += (i > 0 ? ", " : "") + std::string(Names<Enum>::values[i]);
+        }
+        refuse(field, "not one of the choices", value, names);
+    }
+
+    const Json& json_;
+    const std::string& origin_;
+    std::set<std::string>& present_;
+};
+
+using Tree = std::map<std::string, std::set<std::string>>; ///< group -> keys
+
+const Tree& known_keys()
+{
+    static const Tree tree = [] {
+        Tree t;
+        Scenario scenario;
+        visit(scenario, [&t](const Field& field, const auto&) {
+            const auto [group, key] = split(field.path);
+            t[group].insert(key);
+        });
+        return t;
+    }();
+    return tree;
+}
+
+void refuse_unknown_in_group(const std::string& group, const Json& value, const std::string& origin)
+{
+    if (!value.is_object()) {
+        throw InputError(place(origin, group), "not an object (" + shown(value) + ")",
+                         "allowed: an object with the keys " + list(known_keys().at(group)));
+    }
+    for (const auto& [key, unused] : value.items()) {
+        if (!known_keys().at(group).contains(key)) {
+            throw InputError(place(origin, group).append(".").append(key),
+                             "unknown key (value " + shown(unused) + ")",
+                             "allowed in " + group + ": " + list(known_keys().at(group)));
+        }
+    }
+}
+
+void refuse_unknown(const Json& json, const std::string& origin)
+{
+    if (!json.is_object()) {
+        throw InputError(place(origin, "(top)"), "not an object (" + shown(json) + ")",
+                         "allowed: a JSON object");
+    }
+    for (const auto& [key, value] : json.items()) {
+        if (key == "base" || key == "$schema") {
+            if (!value.is_string()) {
+                throw InputError(place(origin, key), "not a string (" + shown(value) + ")",
+                                 "allowed: the path of a file");
+            }
+        } else if (!key.empty() && known_keys().contains(key)) {
+            refuse_unknown_in_group(key, value, origin);
+        } else if (key != "assumed" && !known_keys().at("").contains(key)) {
+            std::set<std::string> allowed = known_keys().at("");
+            allowed.insert({"base", "assumed"});
+            for (const auto& [group, unused] : known_keys()) {
+                if (!group.empty()) {
+                    allowed.insert(group);
+                }
+            }
+            throw InputError(place(origin, key), "unknown key (value " + shown(value) + ")",
+                             "allowed: " + list(allowed));
+        }
+    }
+}
+
+void apply_assumed(const Json& json, const std::string& origin, Scenario& scenario)
+{
+    const auto it = json.find("assumed");
+    if (it == json.end()) {
+        return;
+    }
+    if (!it->is_object()) {
+        throw InputError(place(origin, "assumed"), "not an object (" + shown(*it) + ")",
+                         "allowed: an object of JSON paths and reasons");
+    }
+    for (const auto& [path, reason] : it->items()) {
+        const auto [group, key] = split(path);
+        const auto keys = known_keys().find(group);
+        if (keys == known_keys().end() || !keys->second.contains(key)) {
+            throw InputError(place(origin, "assumed"), "no such value in a scenario (" + shown(path) + ")",
+                             "allowed: JSON paths such as vessel.radius_m");
+        }
+        if (!reason.is_string() ||
+            reason.get_ref<const std::string&>().find_first_not_of(" \t\n") == std::string::npos) {
+            throw InputError(place(origin, "assumed." + path), "no reason (" + shown(reason) + ")",
+                             "allowed: a string that says why this value was taken");
+        }
+        scenario.assumed[path] = reason.get<std::string>();
+    }
+}
+
+} // namespace
+
+std::string describe(const Range& range, bool integer)
+{
+    const auto text = [integer](double x) {
+        return integer ? Json(static_cast<std::int64_t>(x)).dump() : Json(x).dump();
+    };
+    return std::string(integer ? "an integer " : "a number ") + (range.low_open ? "> " : ">= ") +
+           text(range.low) + " and " + (range.high_open ? "< " : "<= ") + text(range.high);
+}
+
+void apply(const Json& json, const std::string& origin, Scenario& scenario, std::set<std::string>& present)
+{
+    refuse_unknown(json, origin);
+    visit(scenario, Reader(json, origin, present));
+    apply_assumed(json, origin, scenario);
+}
+
+} // namespace aneurysm::fields

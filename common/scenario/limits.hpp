@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/scenario/scenario.hpp"
+
+#include <algorithm>
+
+namespace aneurysm
+{
+
+/// Particle spacing that the count leads to, from the volume of the tubes without their overlap [m]; within
+/// 10 % of the spacing that sampling finds.
+double estimated_spacing(const Scenario& scenario);
+
+/// Largest speed that the inlet prescribes [m/s].
+double largest_inlet_speed(const Scenario& scenario);
+
+/// Longest stable flow steps (a frame over its substeps) at the particle spacing dx [s].
+struct StepLimits {
+    double convective =
+        0;               ///< the fastest particles, 2.5 v_0 in the jets of the junction, move half a spacing
+    double viscous = 0;  ///< 0.125 h^2 rho_0 / mu (Morris et al. 1997)
+    double acoustic = 0; ///< 0.4 h / sqrt(kappa), only of model `eos`; else infinite
+
+    double smallest() const { return std::min({convective, viscous, acoustic}); }
+};
+StepLimits step_limits(const Scenario& scenario, double dx);
+
+} // namespace aneurysm

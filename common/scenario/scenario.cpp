@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common/scenario/scenario.hpp"
+
+#include "common/hash.hpp"
+#include "common/scenario/json.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <type_traits>
+
+namespace aneurysm
+{
+namespace
+{
+
+using fields::Field;
+using fields::Json;
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& file)
+{
+    const std::string advice = "needed: a readable scenario file";
+    if (std::error_code unused; fs::is_directory(file, unused)) {
+        throw InputError(file.string(), "cannot be read (it is a directory)", advice);
+    }
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (!stream || (stream.peek() != std::ifstream::traits_type::eof() && !(text << stream.rdbuf()))) {
+        throw InputError(file.string(), std::string("cannot be read (") + std::strerror(errno) + ")", advice);
+    }
+    return text.str();
+}
+
+void refuse_missing(const std::set<std::string>& present, Scenario& scenario, const std::string& origin)
+{
+    fields::visit(scenario, [&](const Field& field, const auto&) {
+        if (!present.contains(std::string(field.path))) {
+            throw InputError(fields::place(origin, field.path), "missing key",
+                             "needed: " + std::string(field.doc) + ", here or in the file named by base");
+        }
+    });
+}
+
+/// `chain`: the files that are being read, each the base of the one before.
+void read_onto(const fs::path& file, std::vector<fs::path>& chain, Scenario& scenario,
+               std::set<std::string>& present)
+{
+    const std::string origin = file.string();
+    const Json json = fields::parse_strictly(read_text(file), origin);
+    chain.push_back(fs::weakly_canonical(file));
+    if (json.is_object() && json.contains("base") && json["base"].is_string()) {
+        const fs::path base = file.parent_path() / fs::path(json["base"].get<std::string>());
+        if (std::find(chain.begin(), chain.end(), fs::weakly_canonical(base)) != chain.end()) {
+            throw InputError(fields::place(origin, "base"),
+                             "files build on one another in a circle (" + fields::shown(json["base"]) + ")",
+                             "allowed: a file that doesn't lead back here");
+        }
+        try {
+            read_onto(base, chain, scenario, present);
+        } catch (const InputError&) {
+            if (std::error_code unused; !fs::exists(base, unused)) {
+                throw InputError(fields::place(origin, "base"),
+                                 "no such file (" + fields::shown(json["base"]) + ")",
+                                 "allowed: a scenario file, relative to this one");
+            }
+            throw;
+        }
+    }
+    fields::apply(json, origin, scenario, present);
+}
+
+Json json_of(const Vec3& v)
+{
+    return Json::array({v.x, v.y, v.z});
+}
+template <class Member>
+Json json_of(const Member& member)
+{
+    if constexpr (std::is_enum_v<Member>) {
+        return fields::name_of(member);
+    } else {
+        return member;
+    }
+}
+
+} // namespace
+
+Scenario read_scenario(const fs::path& file)
+{
+    Scenario scenario;
+    std::set<std::string> present;
+    std::vector<fs::path> chain;
+    read_onto(file, chain, scenario, present);
+    refuse_missing(present, scenario, file.string());
+    validate(scenario, file.string());
+    return scenario;
+}
+
+Scenario parse_scenario(const std::string& json, const std::string& origin)
+{
+    const Json parsed = fields::parse_strictly(json, origin);
+    if (parsed.is_object() && parsed.contains("base")) {
+        throw InputError(fields::place(origin, "base"),
+                         "this text cannot build on a file (" + fields::shown(parsed["base"]) + ")",
+                         "allowed: a complete scenario");
+    }
+    Scenario scenario;
+    std::set<std::string> present;
+    fields::apply(parsed, origin, scenario, present);
+    refuse_missing(present, scenario, origin);
+    validate(scenario, origin);
+    return scenario;
+}
+
+std::string to_json(const Scenario& scenario)
+{
+    Json json = Json::object();
+    fields::visit(scenario, [&json](const Field& field, const auto& member) {
+        const auto [group, key] = fields::split(field.path);
+        (group.empty() ? json : json[group])[key] = json_of(member);
+    });
+    json["assumed"] = scenario.assumed;
+    return json.dump(2) + "\n";
+}
+
+std::string scenario_hash(const Scenario& scenario)
+{
+    const std::string text = to_json(scenario);
+    Fnv1a hash;
+    hash.add(std::as_bytes(std::span(text)));
+    return hash.hex();
+}
+
+} // namespace aneurysm

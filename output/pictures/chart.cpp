@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/pictures/chart.hpp"
+
+#include <vtkAxis.h>
+#include <vtkBrush.h>
+#include <vtkChartLegend.h>
+#include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace aneurysm::pictures
+{
+namespace
+{
+
+struct Line {
+    const char* name;
+    std::array<unsigned char, 3> color;
+};
+
+std::array<Line, 2> lines_of(FrameChart::Content content)
+{
+    if (content == FrameChart::Content::impact) {
+        return {Line{"F_b [N]", {31, 90, 160}}, Line{"P_c [Pa]", {214, 92, 20}}};
+    }
+    return {Line{"R [m]", {20, 130, 60}}, Line{"h [mm]", {130, 60, 150}}};
+}
+
+std::array<double, 2> values_of(FrameChart::Content content, const FrameRecord& r)
+{
+    return content == FrameChart::Content::impact ? std::array{r.impact_force, r.critical_pressure}
+                                                  : std::array{r.radius, 1000 * r.thickness};
+}
+
+vtkSmartPointer<vtkTable> make_table(const std::array<const char*, 3>& names)
+{
+    auto table = vtkSmartPointer<vtkTable>::New();
+    for (const char* name : names) {
+        vtkNew<vtkDoubleArray> column;
+        column->SetName(name);
+        table->AddColumn(column);
+    }
+    return table;
+}
+
+void set_row(vtkTable& table, vtkIdType row, const std::array<double, 3>& numbers)
+{
+    for (int column = 0; column < 3; ++column) {
+        vtkDoubleArray::SafeDownCast(table.GetColumn(column))
+            ->InsertValue(row, numbers.at(static_cast<std::size_t>(column)));
+    }
+}
+
+void set_font(vtkAxis& axis, int font)
+{
+    axis.GetLabelProperties()->SetFontSize(font);
+    axis.GetTitleProperties()->SetFontSize(font);
+    axis.GetTitleProperties()->BoldOff();
+    axis.GetGridPen()->SetColor(205, 210, 216);
+}
+
+} // namespace
+
+FrameChart::FrameChart(Content content, int font)
+    : content_(content), actor_(vtkSmartPointer<vtkContextActor>::New()),
+      chart_(vtkSmartPointer<vtkChartXY>::New()),
+      values_(make_table({"frame", lines_of(content)[0].name, lines_of(content)[1].name})),
+      mark_(make_table({"frame", "low", "high"}))
+{
+    chart_->SetAutoSize(false);
+    chart_->GetBackgroundBrush()->SetColorF(1, 1, 1, 0);
+    const float width = static_cast<float>(font) / 11;
+    for (int i = 0; i < 2; ++i) {
+        vtkPlot* const plot = chart_->AddPlot(vtkChart::LINE);
+        plot->SetInputData(values_, 0, i + 1);
+        const Line line = lines_of(content).at(static_cast<std::size_t>(i));
+        plot->SetColor(line.color[0], line.color[1], line.color[2], 255);
+        plot->SetWidth(width);
+        plot->SetLabel(line.name);
+        if (content == Content::wall && i == 1) {
+            chart_->SetPlotCorner(plot, 1);
+        }
+    }
+    vtkPlot* const mark = chart_->AddPlot(vtkChart::LINE);
+    mark->SetInputData(mark_, 0, 1);
+    mark->SetColor(90, 90, 90, 255);
+    mark->SetWidth(width);
+    mark->LegendVisibilityOff();
+    for (const int axis : {vtkAxis::LEFT, vtkAxis::BOTTOM, vtkAxis::RIGHT}) {
+        set_font(*chart_->GetAxis(axis), font);
+    }
+    chart_->GetAxis(vtkAxis::BOTTOM)->SetTitle("frame");
+    chart_->GetAxis(vtkAxis::LEFT)->SetTitle(content == Content::wall ? "R [m]" : "");
+    chart_->GetAxis(vtkAxis::RIGHT)->SetTitle("h [mm]");
+    chart_->SetShowLegend(true);
+    vtkChartLegend& legend = *chart_->GetLegend();
+    legend.SetLabelSize(font);
+    legend.SetHorizontalAlignment(vtkChartLegend::LEFT);
+    legend.SetVerticalAlignment(vtkChartLegend::TOP);
+    legend.GetBrush()->SetColorF(1, 1, 1, 0.7);
+    legend.GetPen()->SetLineType(vtkPen::NO_PEN);
+    actor_->GetScene()->AddItem(chart_);
+}
+
+void FrameChart::place(double x, double y, double width, double height)
+{
+    chart_->SetSize(vtkRectf(static_cast<float>(x), static_cast<float>(y), static_cast<float>(width),
+                             static_cast<float>(height)));
+}
+
+void FrameChart::set_axis(int axis, double low, double high)
+{
+    chart_->GetAxis(axis)->SetBehavior(vtkAxis::FIXED);
+    chart_->GetAxis(axis)->SetRange(low, high);
+}
+
+void FrameChart::show(const std::vector<FrameRecord>& records, std::int64_t warm_up_frames,
+                      std::int64_t marked, std::int64_t last)
+{
+    std::array<double, 2> most{1e-9, 1e-9}; // the start's forces are many times those of the flow
+    values_->SetNumberOfRows(0);
+    for (const FrameRecord& record : records) {
+        const std::array<double, 2> numbers = values_of(content_, record);
+        set_row(*values_, values_->GetNumberOfRows(),
+                {static_cast<double>(record.frame), numbers[0], numbers[1]});
+        if (record.frame > warm_up_frames || records.back().frame <= warm_up_frames) {
+            most = {std::max(most[0], numbers[0]), std::max(most[1], numbers[1])};
+        }
+    }
+    while (values_->GetNumberOfRows() < 2) { // VTK complains about shorter lines
+        const std::array<double, 2> numbers =
+            records.empty() ? std::array<double, 2>{} : values_of(content_, records.back());
+        set_row(*values_, values_->GetNumberOfRows(), {static_cast<double>(marked), numbers[0], numbers[1]});
+    }
+    if (content_ == Content::impact) {
+        most = {std::max(most[0], most[1]), std::max(most[0], most[1])};
+    }
+    const double room = 1.3; // for the legend
+    const auto frame = static_cast<double>(marked);
+    mark_->SetNumberOfRows(0);
+    set_row(*mark_, 0, {frame, 0, 0});
+    set_row(*mark_, 1, {frame, room * most[0], 0});
+    values_->Modified();
+    mark_->Modified();
+    const std::int64_t end = records.empty() ? last : std::max(last, records.back().frame);
+    set_axis(vtkAxis::BOTTOM, 0, static_cast<double>(std::max<std::int64_t>(end, 1)));
+    set_axis(vtkAxis::LEFT, 0, room * most[0]);
+    set_axis(vtkAxis::RIGHT, 0, room * most[1]);
+    chart_->RecalculateBounds();
+}
+
+} // namespace aneurysm::pictures

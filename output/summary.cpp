@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/summary.hpp"
+
+#include "output/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <sstream>
+
+namespace aneurysm::output
+{
+namespace
+{
+
+/// The run in a few numbers.
+struct Totals {
+    double largest_ratio = 0; ///< of F_b as a pressure and P_c
+    std::int64_t ratio_frame = 0;
+    double density_error_max = 0;
+    double density_error_mean = 0;
+    double density_error_max_ends = 0;
+    double residual_mean = 0; ///< largest of the frames' means
+    double residual_max = 0;
+    double iterations = 0;           ///< mean
+    std::int64_t settled_frames = 0; ///< after the warm-up
+    std::int64_t outside = 0;        ///< most particles beyond the wall before rupture
+    std::int64_t rupture_frame = -1;
+    bool constant = true; ///< the number of particles
+};
+
+Totals totals_of(const Scenario& scenario, const std::vector<FrameRecord>& records)
+{
+    Totals t;
+    for (const FrameRecord& r : records) {
+        t.constant = t.constant && r.total == scenario.particles.count;
+        if (r.phase == Phase::ruptured) {
+            t.rupture_frame = t.rupture_frame < 0 ? r.frame : t.rupture_frame;
+        } else {
+            t.outside = std::max(t.outside, r.outside);
+        }
+        if (r.frame <= scenario.growth.warm_up_frames) {
+            continue;
+        }
+        ++t.settled_frames;
+        t.density_error_mean += r.density_error_mean;
+        t.density_error_max = std::max(t.density_error_max, r.density_error_max);
+        t.density_error_max_ends = std::max(t.density_error_max_ends, r.density_error_max_ends);
+        t.residual_mean = std::max(t.residual_mean, r.residual_mean);
+        t.residual_max = std::max(t.residual_max, r.residual_max);
+        t.iterations += static_cast<double>(r.iterations);
+        const double pressure = r.impact_force / scenario.rupture.conversion_area_m2;
+        const bool whole = t.rupture_frame < 0 || t.rupture_frame == r.frame;
+        if (whole && r.critical_pressure > 0 && pressure / r.critical_pressure > t.largest_ratio) {
+            t.largest_ratio = pressure / r.critical_pressure;
+            t.ratio_frame = r.frame;
+        }
+    }
+    t.density_error_mean /= static_cast<double>(std::max<std::int64_t>(t.settled_frames, 1));
+    t.iterations /= static_cast<double>(std::max<std::int64_t>(t.settled_frames, 1));
+    return t;
+}
+
+std::string wall_line(const Scenario& scenario, const FrameRecord& last, const Totals& t)
+{
+    if (scenario.aneurysm.shape == SacShape::none) {
+        return "no aneurysm";
+    }
+    std::ostringstream text;
+    text << output::name_of(last.phase);
+    if (t.rupture_frame >= 0) {
+        text << " in frame " << t.rupture_frame;
+    }
+    text << std::setprecision(4) << "; R " << last.radius << " m, h " << last.thickness << " m";
+    return text.str();
+}
+
+/// Blood in, blood out and what stayed, over the last whole cycle; empty before the first.
+std::string volume_line(const Scenario& scenario, const std::vector<FrameRecord>& records)
+{
+    const auto cycle = static_cast<std::size_t>(std::lround(scenario.inlet.cycle_s / scenario.time.frame_s));
+    if (records.size() <= cycle) {
+        return {};
+    }
+    const FrameRecord& last = records.back();
+    const FrameRecord& first = records[records.size() - 1 - cycle];
+    const Ledger& a = first.ledger;
+    const Ledger& b = last.ledger;
+    const std::int64_t in = b.inlet_in + b.outlet_in - a.inlet_in - a.outlet_in;
+    const std::int64_t out = b.inlet_out + b.outlet_out + b.escaped - a.inlet_out - a.outlet_out - a.escaped;
+    std::ostringstream text;
+    text << "  volume         last cycle: " << in << " particles in = " << out << " out + "
+         << last.fluid - first.fluid << " more in the artery"
+         << (in == out + last.fluid - first.fluid ? "" : ", WHICH DOESN'T BALANCE") << "\n";
+    return text.str();
+}
+
+/// Errors after the warm-up, and what the scenario's solver allows.
+std::string error_lines(const Scenario& scenario, const Totals& t)
+{
+    std::ostringstream text;
+    text << std::setprecision(4);
+    text << "  density error  " << 100 * t.density_error_mean << " % mean, " << 100 * t.density_error_max
+         << " % largest, " << 100 * t.density_error_max_ends << " % near the open ends, after the warm-up\n";
+    if (scenario.pressure.model == PressureModel::dfsph) {
+        text << "  residual of (3) at most " << t.residual_mean << " /s mean, " << t.residual_max
+             << " /s largest (allowed: " << scenario.pressure.tolerance_per_s << ", "
+             << scenario.pressure.max_tolerance_per_s << "); " << t.iterations << " iterations a frame\n";
+    }
+    return text.str();
+}
+
+} // namespace
+
+std::string summary(const Scenario& scenario, const std::vector<FrameRecord>& records)
+{
+    if (records.empty()) {
+        return "  no frame yet\n";
+    }
+    const FrameRecord& last = records.back();
+    const Totals t = totals_of(scenario, records);
+    std::ostringstream text;
+    text << std::setprecision(4);
+    text << "  frames         " << last.frame << " (" << last.time << " s)\n";
+    text << "  wall           " << wall_line(scenario, last, t) << "\n";
+    if (t.settled_frames > 0 && scenario.aneurysm.shape != SacShape::none) {
+        text << "  impact         F_b " << last.impact_force << " N, P_c " << last.critical_pressure
+             << " Pa; F_b per area reached " << t.largest_ratio << " P_c in frame " << t.ratio_frame << "\n";
+    }
+    text << "  particles      " << last.total << (t.constant ? " throughout" : ", NOT CONSTANT") << "; "
+         << last.fluid << " in the artery, at most " << t.outside << " beyond the wall before rupture\n";
+    const Ledger& l = last.ledger;
+    text << "  flow           " << l.inlet_in - l.inlet_out << " particles in at the inlet, "
+         << l.outlet_out - l.outlet_in << " out at the outlets, " << l.escaped
+         << " through the breach (net)\n";
+    text << volume_line(scenario, records);
+    if (l.missed > 0) {
+        text << "  RESERVE        was empty for " << l.missed
+             << " particles: raise particles.reserve_fraction\n";
+    }
+    if (t.settled_frames > 0) {
+        text << error_lines(scenario, t);
+    }
+    return text.str();
+}
+
+} // namespace aneurysm::output

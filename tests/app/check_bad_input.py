@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bad input to the program: one line on stderr that names the place, exit code 2, nothing written.
+
+usage: check_bad_input.py PROGRAM DATA
+Where the JSON Schema can say what is wrong, it has to refuse the file as well, and only there.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import jsonschema
+
+program, data = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+base = str(data / "scenarios/base.json")
+validator = jsonschema.Draft202012Validator(json.loads((data / "scenario.schema.json").read_text()))
+failures = []
+checks = 0
+
+
+def expect(good, what):
+    global checks
+    checks += 1
+    if not good:
+        failures.append(what)
+
+
+def files_below(directory):
+    return sorted(str(path) for path in directory.rglob("*"))
+
+
+def refused(directory, arguments, names, code=2):
+    """Runs the program, which has to refuse the arguments and name each of `names`."""
+    before = files_below(directory)
+    done = subprocess.run([program, *map(str, arguments)], cwd=directory, capture_output=True, text=True)
+    label = " ".join(map(str, arguments)) + f" -> {done.returncode}: {done.stderr.strip()}"
+    expect(done.returncode == code, f"exit code {code} expected: {label}")
+    expect(done.stderr.count("\n") == 1 and done.stderr.endswith("\n"), f"one line expected: {label}")
+    expect(done.stdout == "", f"nothing on stdout expected: {label}")
+    for name in names:
+        expect(str(name) in done.stderr, f"'{name}' expected: {label}")
+    expect(files_below(directory) == before, f"nothing written expected: {label}")
+
+
+def changed(**groups):
+    """A scenario on top of the base; every change has its reason."""
+    paths = [f"{g}.{k}" for g, values in groups.items() if isinstance(values, dict) for k in values]
+    return {"base": base, **groups, "assumed": {path: "a test" for path in paths}}
+
+
+# Text of the file, JSON path in the message, whether the schema refuses it too (None: it is no JSON).
+malformed = [
+    ("", "(top)", None),
+    ("{", "(top)", None),
+    ('{"time": {"frame_s": 0.001,}}', "time", None),
+    ('{"time": {"frame_s": NaN}}', "time.frame_s", None),
+    ('{"time": {"frame_s": Infinity}}', "time.frame_s", None),
+    ('{"time": {"frame_s": 1e999}}', "time.frame_s", None),
+    ('{"time": {"frames": 1, "frames": 1}}', "time.frames", None),
+    ("[]", "(top)", True),
+    ("{}", "name", True),
+    (json.dumps({"base": "missing.json"}), "base", False),
+    (json.dumps({"base": "bad.json"}), "base", False),
+    (json.dumps({"base": 1}), "base", True),
+]
+scenarios = [
+    (changed(tiem={"frames": 1}), "tiem", True),
+    (changed(time={"frame": 1}), "time.frame", True),
+    (changed(time=1), "time", True),
+    (changed(time={"frames": "many"}), "time.frames", True),
+    (changed(time={"frames": 10.5}), "time.frames", True),
+    (changed(time={"frames": None}), "time.frames", True),
+    (changed(time={"frame_s": True}), "time.frame_s", True),
+    (changed(time={"frame_s": 0}), "time.frame_s", True),
+    (changed(time={"frame_s": -0.001}), "time.frame_s", True),
+    (changed(particles={"count": 0}), "particles.count", True),
+    (changed(particles={"count": -5}), "particles.count", True),
+    (changed(rupture={"porosity": 0}), "rupture.porosity", True),
+    (changed(rupture={"porosity": 1}), "rupture.porosity", True),
+    (changed(rupture={"poisson_ratio": 2}), "rupture.poisson_ratio", True),
+    (changed(vessel={"angle_deg": 14.9}), "vessel.angle_deg", True),
+    (changed(vessel={"angle_deg": 86}), "vessel.angle_deg", True),
+    (changed(fluid={"gravity_m_s2": [0, 1]}), "fluid.gravity_m_s2", True),
+    (changed(inlet={"waveform": "sin"}), "inlet.waveform", True),
+    (changed(aneurysm={"shape": "cubic"}), "aneurysm.shape", True),
+    (changed(pressure={"relaxation": 1}), "pressure.relaxation", True),
+    ({"base": base, "assumed": {"vessel.color": "red"}}, "assumed", True),
+    ({"base": base, "assumed": {"vessel.radius_m": ""}}, "assumed.vessel.radius_m", True),
+    # What contradicts other values is beyond a schema.
+    ({"base": base, "fluid": {"density_kg_m3": 1060}}, "assumed.fluid.density_kg_m3", False),
+    (changed(particles={"count": 12}), "particles.count", False),
+    (changed(particles={"count": 100}), "particles.count", False),
+    (changed(vessel={"angle_deg": 15, "daughter_length_radii": 3.5}), "vessel.angle_deg", False),
+    (changed(aneurysm={"neck_width_radii": 3.5, "base_width_radii": 3.5}), "aneurysm.base_width_radii", False),
+    (changed(aneurysm={"neck_width_radii": 2}), "aneurysm.neck_width_radii", False),
+    (changed(aneurysm={"shape": "none"}), "aneurysm.neck_width_radii", False),
+    (changed(aneurysm={"initial_radius_radii": 0.9}), "aneurysm.initial_radius_radii", False),
+    (changed(time={"frame_s": 0.02}), "time.frame_s", False),
+    (changed(elastic_wall={"stiffness_n_m": 1e9}), "elastic_wall.stiffness_n_m", False),
+    (changed(inlet={"waveform": "table"}), "inlet.table_time_s", False),
+    (changed(inlet={"table_time_s": [0, 1], "table_velocity_m_s": [1, 1]}), "inlet.table_time_s", False),
+]
+
+
+def check_files(directory):
+    bad = directory / "bad.json"
+    rows = malformed + [(json.dumps(content), path, schema) for content, path, schema in scenarios]
+    for text, path, schema in rows:
+        bad.write_text(text)
+        refused(directory, ["run", bad, "--out", "out"], [bad, path])
+        if schema is not None:
+            says = not validator.is_valid(json.loads(text))
+            expect(says == schema, f"the schema {'refuses' if says else 'accepts'} {text}")
+    bad.write_bytes(b'{"name": "\xff"}')
+    refused(directory, ["info", bad], [bad, "name"])
+    bad.unlink()
+    refused(directory, ["info", bad], [bad, "No such file"])
+    refused(directory, ["info", directory], [directory, "directory"])
+
+
+def check_arguments(directory):
+    quick = data / "scenarios/quick.json"
+    taken, file = directory / "taken", directory / "file"
+    taken.mkdir()
+    file.write_text("")
+    refused(directory, ["run", quick, "--out", taken], [taken, "exists"])
+    refused(directory, ["run", quick, "--out", file], [file, "exists"])
+    refused(directory, ["run", quick, "--out", file / "out"], [file, "cannot be made"])
+    refused(directory, ["run", quick, "--out", "/proc/out"], ["/proc/out", "cannot be made"])
+    if not pathlib.Path("/dev/nvidiactl").exists():
+        refused(directory, ["run", quick, "--out", "out", "--backend", "cuda"], ["--backend", "cuda"])
+    refused(directory, ["run", quick, "--out", "out", "--backend", "x"], ["--backend", "x"])
+    refused(directory, ["run", quick, "--out", "out", "--precision", "float"], ["--precision", "float"])
+    refused(directory, ["run", quick, "--out", "out", "--frames", "0"], ["--frames", "0"])
+    refused(directory, ["run", quick, "--out", "out", "--frames", "1.5"], ["--frames", "1.5"])
+    refused(directory, ["run", quick, "--out", "out", "--fast"], ["--fast"])
+    refused(directory, ["run"], ["SCENARIO"])
+    refused(directory, ["run", "--resume"], ["--out"])
+    refused(directory, ["run", "--resume", "--out", taken], [taken, "checkpoint.h5"])
+    refused(directory, ["dance"], ["dance"])
+    refused(directory, [], ["subcommand"])
+
+
+def check_checkpoints(directory):
+    run, checkpoint = directory / "run", directory / "run/checkpoint.h5"
+    quick = data / "scenarios/quick.json"
+    done = subprocess.run([program, "run", quick, "--out", run, "--frames", "2"], capture_output=True, text=True)
+    expect(done.returncode == 0 and done.stderr == "", f"a good run expected: {done.returncode}: {done.stderr}")
+    expect((run / "frames.csv").read_text().count("\n") == 3, "two frames expected")
+    again = ["run", "--resume", "--out", run]
+    refused(directory, [*again, "--frames", "2"], ["--frames", "2"])
+    refused(directory, [*again, data / "scenarios/paper_tc1.json"], ["paper_tc1.json", "another scenario"])
+    good = checkpoint.read_bytes()
+    foreign = next((run / "particles").iterdir()).read_bytes()
+    for bad, why in [(good[:-1], "truncated"), (good[: len(good) // 2], "truncated"), (good[:100], "truncated"),
+                     (b"", "no checkpoint"), (b"text", "no checkpoint"), (foreign, "no checkpoint"),
+                     (good[:-99] + b"x" + good[-98:], "damaged"),
+                     (good.replace(b"checkpoint 1", b"checkpoint 7", 1), "another version (7)")]:
+        checkpoint.write_bytes(bad)
+        refused(directory, again, [checkpoint, why])
+    checkpoint.write_bytes(good)
+    manifest = run / "manifest.json"
+    text = manifest.read_text()
+    manifest.write_text(text.replace('"backend": "reference"', '"backend": "cpu"'))
+    refused(directory, again, [manifest, "backend"])
+    manifest.write_text(text[:50])
+    refused(directory, again, [manifest])
+    manifest.write_text(text)
+    (run / "frames.csv").write_text("frame\n")
+    refused(directory, again, [run / "frames.csv", "fewer lines"])
+
+
+def check_comparisons(directory):
+    quick = data / "scenarios/quick.json"
+    refused(directory, ["compare"], ["SCENARIO"])
+    refused(directory, ["compare", quick, "--candidate", "x"], ["--candidate", "x"])
+    refused(directory, ["compare", quick, "--precision", "half"], ["--precision", "half"])
+    refused(directory, ["compare", quick, "--precision", "float"], ["--precision", "float"])
+    refused(directory, ["compare", quick, "--mode", "x"], ["--mode", "x"])
+    refused(directory, ["compare", quick, "--frames", "0"], ["--frames", "0"])
+    refused(directory, ["compare", quick, "--from", "-1"], ["--from", "-1"])
+    refused(directory, ["compare", quick, "--from", "100000"], ["--from", "100000"])
+    refused(directory, ["compare", quick, "--ensemble", "2"], ["--ensemble", "2"])
+    refused(directory, ["compare", quick, "--record", "x.csv"], ["--record", "lockstep"])
+    refused(directory, ["compare", quick, "--report", directory / "no/x.json"], ["--report", "no"])
+    (directory / "scenarios").mkdir()
+    scenario = directory / "scenarios/copy.json"
+    scenario.write_text(json.dumps({"base": str(quick), "name": "copy", "description": "a test"}))
+    bits = ["compare", scenario, "--candidate", "cpu", "--precision", "float", "--threads", "1", "--mode", "bits"]
+    refused(directory, bits, ["--mode bits", "hashes/copy.float.csv"])
+    (directory / "hashes").mkdir()
+    hashes = directory / "hashes/copy.float.csv"
+    subprocess.run([program, *map(str, bits), "--frames", "2", "--record", hashes], capture_output=True)
+    text = hashes.read_text()
+    flipped = text[:-2] + ("0" if text[-2] != "0" else "1") + "\n"
+    for content, code in [(text, 0), (flipped, 3)]:
+        hashes.write_text(content)
+        report = directory / "report.json"
+        done = subprocess.run([program, *map(str, bits), "--frames", "2", "--report", report], capture_output=True)
+        expect(done.returncode == code, f"exit code {code} expected: {done.returncode}, {done.stdout}")
+        expect(json.loads(report.read_text())["passed"] == (code == 0), "the verdict expected in the report")
+    hashes.write_text(text.replace("scenario copy", "scenario other"))
+    refused(directory, bits, [hashes, "line 1", "another scenario (other)"])
+    hashes.write_text(text.replace("scenario_hash ", "scenario_hash 0"))
+    done = subprocess.run([program, *map(str, bits), "--frames", "2"], capture_output=True, text=True)
+    expect(done.returncode == 0 and "text has changed" in done.stdout, f"the same bits expected: {done.stdout}")
+
+
+def check_suite(directory):
+    full, file = directory / "full", directory / "file"
+    full.mkdir()
+    (full / "x").write_text("")
+    file.write_text("")
+    out = ["--out", "out"]
+    refused(directory, ["verify"], ["--out"])
+    refused(directory, ["verify", "--out", full], [full, "isn't empty"])
+    refused(directory, ["verify", "--out", file], [file, "isn't empty"])
+    refused(directory, ["verify", "--out", "/proc/out"], ["/proc/out", "cannot be made"])
+    refused(directory, ["verify", *out, "--only", "x13"], ["--only", "x13", "L0", "EOS"])
+    refused(directory, ["verify", *out, "--only", ""], ["--only", "()"])
+    refused(directory, ["verify", *out, "--backend", "gpu"], ["--backend", "gpu"])
+    refused(directory, ["verify", *out, "--precision", "half"], ["--precision", "half"])
+    refused(directory, ["verify", *out, "--backend", "reference", "--precision", "float"], ["--precision", "float"])
+    refused(directory, ["verify", *out, "--jobs", "-1"], ["--jobs", "-1"])
+    refused(directory, ["verify", *out, "--quick", "--full"], ["--quick", "--full"])
+    if not pathlib.Path("/dev/nvidiactl").exists():
+        refused(directory, ["verify", *out, "--backend", "cuda"], ["--backend", "cuda"])
+    baseline = ["verify", "--baseline", "--data", data]
+    refused(directory, ["verify", "--record"], ["--record", "--baseline"])
+    refused(directory, [*baseline], ["--out"])
+    refused(directory, [*baseline, *out, "--record"], ["--record", "--data"])
+    refused(directory, [*baseline, *out, "--full"], ["--baseline", "--full"])
+    refused(directory, [*baseline, *out, "--only", "quack"], ["--only", "quack", "quick, paper_tc1"])
+    refused(directory, ["verify", "--baseline", *out, "--data", directory], ["baseline.json", "No such file"])
+    for text in ("", "{}", '{"version": 1, "commit": "", "scenarios": []}'):
+        (directory / "baseline.json").write_text(text)
+        refused(directory, ["verify", "--baseline", *out, "--data", directory], ["baseline.json", "not as it was written"])
+
+
+for scenario in sorted((data / "scenarios").glob("*.json")):
+    errors = [error.message for error in validator.iter_errors(json.loads(scenario.read_text()))]
+    expect(not errors, f"{scenario}: {errors}")
+    done = subprocess.run([program, "info", scenario], capture_output=True, text=True)
+    expect(done.returncode == 0 and done.stderr == "", f"{scenario}: {done.stderr}")
+for check in (check_files, check_arguments, check_checkpoints, check_comparisons, check_suite):
+    with tempfile.TemporaryDirectory() as scratch:
+        check(pathlib.Path(scratch))
+print("\n".join(failures))
+print(f"{len(failures)} of {checks} checks failed")
+sys.exit(bool(failures))

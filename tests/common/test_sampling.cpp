@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// Section 3.4: particles on a lattice in the vessel, as many as asked for, and section 3.5: the wall's ghosts
+// (27).
+#include "common/error.hpp"
+#include "common/vessel/sampling.hpp"
+#include "tests/support.hpp"
+#include "tests/vessels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
+
+using namespace aneurysm;
+using namespace aneurysm::test;
+
+namespace
+{
+
+struct Sample {
+    Scenario scenario;
+    Vessel vessel;
+    double R = 0;               ///< at frame 0 [m]
+    double daughter_radius = 0; ///< [m]
+
+    explicit Sample(const Scenario& s)
+        : scenario(s), vessel(make_vessel(s)), R(s.aneurysm.initial_radius_radii * s.vessel.radius_m),
+          daughter_radius(vessel.openings()[1].radius)
+    {
+    }
+};
+
+template <class Claim>
+bool for_all_sacs(Claim claim)
+{
+    return std::ranges::all_of(
+        std::array{table_2[0], table_2[1], table_2[2], SacWidths{}},
+        [&](const SacWidths& sac) { return claim(Sample(with_sac(shipped_scenario("base"), sac))); });
+}
+
+/// Spacings beside the one found that the bisection can tell apart: 30 halvings of 3/7 of it.
+constexpr double bisected = 0x1p-30;
+
+template <class Candidate>
+bool meets_the_count(Candidate sample_count)
+{
+    return for_all_sacs([&](const Sample& s) {
+        bool good = true;
+        std::vector<std::size_t> counts{1100, 1988, 1999, 2500, 5520};
+        if (s.scenario.aneurysm.shape == table_2[0].shape) {
+            counts.insert(counts.end(), {15'456, 40'296}); // Table 3
+        }
+        for (const std::size_t count : counts) {
+            const double reserve = s.scenario.particles.reserve_fraction;
+            const auto wanted = static_cast<std::size_t>(static_cast<double>(count) * (1 - reserve));
+            const Lattice lattice = sample_count(s.vessel, s.R, count, reserve, s.daughter_radius);
+            const auto beside = [&](double way) {
+                return sample_lattice(s.vessel, s.R, lattice.spacing * (1 + way)).size();
+            };
+            good = good && lattice.size() <= count && lattice.spacing <= 0.5 * s.daughter_radius &&
+                   (lattice.size() >= wanted ? beside(bisected) < wanted : beside(-bisected) > count);
+        }
+        return good;
+    });
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(every_particle_number_is_met_with_the_reserve_that_was_asked_for)
+{
+    BOOST_TEST(meets_the_count(sample_count));
+    // 1 % more or fewer particles
+    for (const double error : {0.01, -0.01}) {
+        BOOST_TEST(!meets_the_count(
+            [&](const Vessel& vessel, double R, std::size_t count, double reserve, double daughter_radius) {
+                const auto wrong = static_cast<std::size_t>(static_cast<double>(count) * (1 + error));
+                return sample_count(vessel, R, wrong, reserve, daughter_radius);
+            }));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(too_few_particles_are_refused_with_the_least_number_that_is_enough)
+{
+    BOOST_TEST(for_all_sacs([](const Sample& s) {
+        const std::size_t least = sample_lattice(s.vessel, s.R, 0.5 * s.daughter_radius).size();
+        return std::ranges::all_of(std::array{0.0, 0.06, 0.5}, [&](double reserve) {
+            const auto sample = [&](std::size_t count) {
+                return sample_count(s.vessel, s.R, count, reserve, s.daughter_radius);
+            };
+            std::size_t needed = least;
+            while (static_cast<std::size_t>(static_cast<double>(needed) * (1 - reserve)) < least) {
+                ++needed;
+            }
+            try {
+                sample(needed - 1);
+            } catch (const InputError& error) {
+                const std::string text = error.what();
+                return text.find("particles.count: " + std::to_string(needed - 1)) == 0 &&
+                       text.find("at least " + std::to_string(needed)) != std::string::npos &&
+                       sample(needed).size() >= least;
+            }
+            return false;
+        });
+    }));
+}
+
+namespace
+{
+
+/// The cell of a lattice point: which multiples of dx it is from the first cell beside the parent's axis,
+/// above the inlet plane. Not found: when the point is off the lattice by more than rounding.
+using Cell = std::array<long, 3>;
+bool find_cell(const Vessel& vessel, double dx, const Vec3& x, Cell& cell)
+{
+    const Vec3 steps = (x - vessel.openings()[0].center) / dx;
+    bool on_lattice = true;
+    const std::array<double, 3> from_edge{steps.x - 0.5, steps.y - 0.5, steps.z - 0.5};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double nearest = std::round(from_edge[axis]);
+        // 8 roundings of a coordinate
+        on_lattice = on_lattice && std::abs(from_edge[axis] - nearest) <= rounding(8) * vessel_extent / dx;
+        cell[axis] = static_cast<long>(nearest);
+    }
+    return on_lattice;
+}
+Vec3 center_of(const Vessel& vessel, double dx, const Cell& c)
+{
+    return vessel.openings()[0].center + dx * Vec3{static_cast<double>(c[0]) + 0.5,
+                                                   static_cast<double>(c[1]) + 0.5,
+                                                   static_cast<double>(c[2]) + 0.5};
+}
+
+/// Calls visit(cell) for every cell of a box that holds vessel, slabs and wall.
+template <class Visit>
+void for_each_cell(double dx, const Visit& visit)
+{
+    const auto n = static_cast<long>(std::ceil(5.5 / dx));
+    for (long i = -n; i < n; ++i) {
+        for (long j = -n / 2; j < 2 * n; ++j) {
+            for (long k = -n / 3; k < n / 3; ++k) {
+                visit(Cell{i, j, k});
+            }
+        }
+    }
+}
+
+enum class Place { outside, unsure, artery, slab_0, slab_1, slab_2 };
+
+/// Where a particle at x belongs. Unsure: so near to a border that rounding decides.
+Place place_of(const Vessel& vessel, double R, double dx, const Vec3& x)
+{
+    constexpr double inset = 0.08; // spacings, the seeding inset
+    const double inside = -vessel.wall(x, R).value - inset * dx;
+    const std::size_t k = vessel.nearest_tube(x);
+    const double beyond = vessel.openings()[k].beyond(x);
+    const double depth = opening_layers * dx;
+    const auto rounds = [](double margin) { return std::abs(margin) <= 2 * distance_rounding; };
+    if (rounds(inside) || rounds(beyond) || rounds(beyond - depth)) {
+        return Place::unsure;
+    }
+    if (inside < 0 || beyond > depth) {
+        return Place::outside;
+    }
+    return beyond < 0 ? Place::artery : static_cast<Place>(static_cast<std::size_t>(Place::slab_0) + k);
+}
+
+/// Each particle is on the cubic lattice, in its place, once; and no lattice point is forgotten.
+template <class Candidate>
+bool fills_vessel_and_slabs(Candidate sample)
+{
+    return for_all_sacs([&](const Sample& s) {
+        const double dx = 0.11;
+        const Lattice lattice = sample(s.vessel, s.R, dx);
+        std::map<Cell, Place> found;
+        bool good = lattice.spacing == dx;
+        const auto add = [&](const std::vector<Vec3>& points, Place place) {
+            for (const Vec3& x : points) {
+                Cell cell;
+                good = good && find_cell(s.vessel, dx, x, cell) && found.emplace(cell, place).second;
+            }
+        };
+        add(lattice.fluid, Place::artery);
+        add(lattice.openings[0], Place::slab_0);
+        add(lattice.openings[1], Place::slab_1);
+        add(lattice.openings[2], Place::slab_2);
+        for_each_cell(dx, [&](const Cell& cell) {
+            const Place expected = place_of(s.vessel, s.R, dx, center_of(s.vessel, dx, cell));
+            const auto it = found.find(cell);
+            const Place actual = it == found.end() ? Place::outside : it->second;
+            good = good && (expected == Place::unsure || expected == actual);
+            found.erase(cell);
+        });
+        return good && found.empty();
+    });
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(lattice_is_cubic_and_fills_vessel_and_slabs)
+{
+    BOOST_TEST(fills_vessel_and_slabs(sample_lattice));
+    BOOST_TEST(!fills_vessel_and_slabs([](const Vessel& vessel, double R, double dx) {
+        Lattice lattice = sample_lattice(vessel, R, dx);
+        lattice.fluid.pop_back();
+        return lattice;
+    }));
+    BOOST_TEST(!fills_vessel_and_slabs([](const Vessel& vessel, double R, double dx) {
+        Lattice lattice = sample_lattice(vessel, R, dx);
+        lattice.fluid[7].x += 1e-9 * dx;
+        return lattice;
+    }));
+    BOOST_TEST(!fills_vessel_and_slabs([](const Vessel& vessel, double R, double dx) {
+        Lattice lattice = sample_lattice(vessel, R, dx);
+        std::swap(lattice.openings[1], lattice.openings[2]);
+        return lattice;
+    }));
+}
+
+BOOST_AUTO_TEST_CASE(sampling_gives_the_same_bits_twice)
+{
+    const Sample s(shipped_scenario("base"));
+    const Lattice first = sample_count(s.vessel, s.R, 1999, 0.06, s.daughter_radius);
+    const Lattice second = sample_count(s.vessel, s.R, 1999, 0.06, s.daughter_radius);
+    const Lattice again = sample_lattice(s.vessel, s.R, first.spacing); // what a resumed run samples
+
+    BOOST_TEST((first.fluid == second.fluid && first.openings == second.openings));
+    BOOST_TEST((first.fluid == again.fluid && first.openings == again.openings));
+}

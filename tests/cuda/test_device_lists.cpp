@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The optimized backend's lists of neighbors, which grow when a frame needs more room.
+#include "cuda/simulation.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <utility>
+
+using namespace aneurysm;
+
+namespace
+{
+
+Scenario two_steps()
+{
+    Scenario scenario = read_scenario(ANEURYSM_DATA "/scenarios/quick.json");
+    scenario.particles.count = 700;
+    scenario.time.substeps = 2;
+    return scenario;
+}
+
+std::unique_ptr<device::Simulation> simulate(const SimulationState& state, int list_blocks)
+{
+    device::Tuning tuning;
+    tuning.list_blocks = list_blocks;
+    return make_cpu_simulation(two_steps(), device::Precision::double_, tuning, state);
+}
+
+SimulationState settled()
+{
+    return make_cpu_simulation(two_steps(), device::Precision::double_, {}, {})->state();
+}
+/// Ghosts behind the first outlet start as blood: they have neighbors in the first step, and are ghosts
+/// again in the second.
+SimulationState with_blood_behind_an_outlet()
+{
+    SimulationState state = settled();
+    for (Kind& kind : state.particles.kind) {
+        kind = kind == Kind::outlet_1 ? Kind::fluid : kind;
+    }
+    return state;
+}
+
+/// Places in the lists of free neighbors, at most in one step of the first frame.
+std::int64_t wanted(const SimulationState& state)
+{
+    const auto simulation = simulate(state, 0);
+    simulation->advance();
+    return simulation->pairs().first;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(lists_that_start_too_short_give_the_same_bits)
+{
+    const SimulationState start = settled();
+    const auto enough = simulate(start, 0);
+    const auto short_of = simulate(start, 1);
+    for (int frame = 0; frame < 2; ++frame) {
+        enough->advance();
+        short_of->advance();
+        BOOST_TEST((enough->state().particles.position == short_of->state().particles.position));
+    }
+    BOOST_TEST(enough->pairs().first == short_of->pairs().first);
+}
+
+/// A step that finds its lists too short is followed by one for which they are long enough.
+BOOST_AUTO_TEST_CASE(lists_have_room_for_the_longest_of_a_frames_steps)
+{
+    const SimulationState start = with_blood_behind_an_outlet();
+    const std::int64_t longest = wanted(start);
+    const std::int64_t later = wanted(settled());
+    BOOST_TEST(later < longest);
+    const auto simulation = simulate(start, static_cast<int>((longest + later) / 2 / 8));
+    BOOST_TEST(simulation->advance().frame == 1);
+    BOOST_TEST(simulation->pairs().first == longest);
+}

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: Apache-2.0
+// The CUDA code on an emulated GPU: the same bits as the CPU's, whatever the size of its blocks, and in
+// whatever order its threads run. What a real one does with it `verification/gpu_check.sh` shows.
+#include "common/error.hpp"
+#include "cuda/executor/executor_cpu.hpp"
+#include "cuda/simulation.hpp"
+#include "tests/emulated_gpu/simulation.hpp"
+
+#include <cuda_runtime.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace aneurysm;
+
+namespace
+{
+
+Scenario quick()
+{
+    Scenario scenario = read_scenario(ANEURYSM_DATA "/scenarios/quick.json");
+    scenario.particles.count = 700;
+    return scenario;
+}
+
+std::unique_ptr<device::Simulation> on_cpu(const Scenario& scenario, const std::string& precision,
+                                           const std::optional<SimulationState>& state)
+{
+    using device::Precision;
+    return make_cpu_simulation(scenario, precision == "float" ? Precision::single_ : Precision::double_, {},
+                               state);
+}
+
+void check_same(const FrameRecord& a, const FrameRecord& b)
+{
+    BOOST_TEST(a.frame == b.frame);
+    BOOST_TEST((a.phase == b.phase));
+    BOOST_TEST(a.outlet_velocity == b.outlet_velocity);
+    BOOST_TEST(a.impact_force == b.impact_force);
+    BOOST_TEST(a.impact_force_eos == b.impact_force_eos);
+    BOOST_TEST(a.impact_particle == b.impact_particle);
+    BOOST_TEST(a.radius == b.radius);
+    BOOST_TEST(a.iterations == b.iterations);
+    BOOST_TEST(a.density_error_mean == b.density_error_mean);
+    BOOST_TEST(a.density_error_min == b.density_error_min);
+    BOOST_TEST(a.divergence_mean == b.divergence_mean);
+    BOOST_TEST(a.residual_max == b.residual_max);
+    BOOST_TEST(a.kinetic_energy == b.kinetic_energy);
+    BOOST_TEST(a.fluid == b.fluid);
+    BOOST_TEST(a.collisions == b.collisions);
+    BOOST_TEST(a.ledger.inlet_in == b.ledger.inlet_in);
+    BOOST_TEST(a.ledger.outlet_out == b.ledger.outlet_out);
+    BOOST_TEST(a.ledger.escaped == b.ledger.escaped);
+}
+
+void check_same(const SimulationState& a, const SimulationState& b)
+{
+    BOOST_TEST((a.particles.position == b.particles.position));
+    BOOST_TEST((a.particles.velocity == b.particles.velocity));
+    BOOST_TEST((a.particles.pressure == b.particles.pressure));
+    BOOST_TEST((a.particles.kind == b.particles.kind));
+    BOOST_TEST((a.outlet_velocity == b.outlet_velocity));
+}
+
+struct Way {
+    int block_size = 0;
+    bool backwards = false; ///< the last thread first
+    bool computes_gradients = false;
+};
+
+/// The first frame runs as it is asked for, the second is recorded, the third replayed.
+constexpr int frames = 3;
+
+void check_frames(const Scenario& scenario, const std::string& precision, const SimulationState& start,
+                  const Way& way)
+{
+    emulated_gpu::run_backwards(way.backwards);
+    const auto gpu =
+        emulated_gpu::simulate(scenario, {precision, way.block_size, way.computes_gradients}, start);
+    const auto cpu = on_cpu(scenario, precision, start);
+    for (int n = 0; n < frames; ++n) {
+        const FrameRecord record = gpu->advance();
+        BOOST_TEST_CONTEXT(precision << ", frame " << record.frame << ", blocks of " << way.block_size
+                                     << (way.backwards ? ", backwards" : ""))
+        {
+            check_same(record, cpu->advance());
+            check_same(gpu->state(), cpu->state());
+        }
+    }
+    emulated_gpu::run_backwards(false);
+}
+
+/// The state two frames before the first one that `is_wanted`: the graph that makes that one is replayed.
+template <class Predicate>
+SimulationState state_before(const Scenario& scenario, const std::string& precision, Predicate is_wanted)
+{
+    const auto cpu = on_cpu(scenario, precision, {});
+    std::vector<SimulationState> states{cpu->state()};
+    FrameRecord last;
+    for (int n = 0; n < 500; ++n) {
+        const FrameRecord record = cpu->advance();
+        if (states.size() >= frames && is_wanted(last, record)) {
+            return states[states.size() - frames];
+        }
+        states.push_back(cpu->state());
+        last = record;
+    }
+    BOOST_FAIL("no such frame in 500");
+    return {};
+}
+
+} // namespace
+
+/// With as many digits as fit, so that another order mostly gives another sum.
+std::vector<double> long_numbers(int count, unsigned seed)
+{
+    std::mt19937_64 random(seed); // the same everywhere
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) {
+        values.push_back(std::ldexp(static_cast<double>(random() >> 11U), -53) - 0.5);
+    }
+    return values;
+}
+std::vector<int> small_numbers(int count, int end)
+{
+    std::mt19937 random(2);
+    std::vector<int> values;
+    for (int i = 0; i < count; ++i) {
+        values.push_back(static_cast<int>(random() % static_cast<unsigned>(end)));
+    }
+    return values;
+}
+
+constexpr int sizes[] = {1, 7, 8, 255, 256, 257, 5'000, 70'000}; // 70,000: sums of sums of sums
+
+double sum_on_cpu(const std::vector<double>& values, int actual)
+{
+    const device::CpuExecutor cpu(1);
+    std::vector<double> scratch(values.size() + 8);
+    double sum = 0;
+    cpu.reduce(
+        device::Extent(actual), [&values](int i) { return values[static_cast<std::size_t>(i)]; },
+        scratch.data(), &sum);
+    return sum;
+}
+
+BOOST_AUTO_TEST_CASE(sums_have_the_bits_of_the_cpus)
+{
+    for (const int n : sizes) {
+        const std::vector<double> values = long_numbers(n, 1);
+        for (const int actual : {n, n - n / 3, 0}) {
+            for (const bool backwards : {false, true}) {
+                emulated_gpu::run_backwards(backwards);
+                BOOST_TEST(emulated_gpu::sum(values, actual, 64) == sum_on_cpu(values, actual));
+            }
+        }
+    }
+    emulated_gpu::run_backwards(false);
+    int misread = 0;
+    for (unsigned seed = 1; seed <= 50; ++seed) {
+        const std::vector<double> values = long_numbers(100, seed);
+        BOOST_TEST(emulated_gpu::sum(values, 100, 64) == sum_on_cpu(values, 100));
+        emulated_gpu::misread_lanes(true);
+        misread += emulated_gpu::sum(values, 100, 64) != sum_on_cpu(values, 100) ? 1 : 0;
+        emulated_gpu::misread_lanes(false);
+    }
+    BOOST_TEST(misread > 10);
+}
+
+/// Behind the actual end stands what an earlier use left: here numbers that would spoil every total.
+BOOST_AUTO_TEST_CASE(prefix_sums_and_sorting_are_the_cpus)
+{
+    device::CpuExecutor cpu(1);
+    for (const int n : sizes) {
+        std::vector<int> values = small_numbers(n, 9);
+        const int actual = n - n / 3;
+        std::fill(values.begin() + actual, values.end(), 2'000'000'000);
+        std::vector<int> sums(values.size() + 1);
+        cpu.scan(device::Extent(actual), values.data(), sums.data());
+        const std::vector<int> of_gpu = emulated_gpu::scan(values, actual);
+        BOOST_TEST(std::equal(sums.begin(), sums.begin() + actual + 1, of_gpu.begin()));
+
+        constexpr int end = 1'000;
+        const std::vector<int> keys = small_numbers(n, end);
+        emulated_gpu::Sorted expected{keys, keys, std::vector<int>(end + 1)};
+        cpu.sort(n, keys.data(), expected.keys.data(), expected.order.data(), end);
+        cpu.find_starts(n, expected.keys.data(), expected.starts.data(), end);
+        const emulated_gpu::Sorted sorted = emulated_gpu::sort(keys, end);
+        BOOST_TEST((sorted.keys == expected.keys));
+        BOOST_TEST((sorted.order == expected.order));
+        BOOST_TEST((sorted.starts == expected.starts));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_at_the_start)
+{
+    for (const std::string precision : {"float", "double"}) {
+        const SimulationState start = on_cpu(quick(), precision, {})->state();
+        check_frames(quick(), precision, start, {});
+        check_frames(quick(), precision, start, {.block_size = 32, .backwards = true});
+        check_frames(quick(), precision, start, {.block_size = 256, .computes_gradients = true});
+    }
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_when_a_slab_turns_round)
+{
+    const auto turns = [](const FrameRecord& last, const FrameRecord& record) {
+        return last.outlet_velocity > 0 && record.outlet_velocity < 0;
+    };
+    const SimulationState start = state_before(quick(), "float", turns);
+    check_frames(quick(), "float", start, {});
+    check_frames(quick(), "float", start, {.block_size = 64, .backwards = true});
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_through_rupture_and_escape)
+{
+    const auto ruptures = [](const FrameRecord& last, const FrameRecord& record) {
+        return last.phase != Phase::ruptured && record.phase == Phase::ruptured;
+    };
+    const auto returns = [](const FrameRecord& last, const FrameRecord& record) {
+        return record.ledger.escaped > last.ledger.escaped && record.ledger.inlet_in > last.ledger.inlet_in;
+    };
+    check_frames(quick(), "double", state_before(quick(), "double", ruptures), {});
+    check_frames(quick(), "double", state_before(quick(), "double", returns), {.backwards = true});
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_with_two_steps_a_frame_and_another_kernel)
+{
+    Scenario scenario = quick();
+    scenario.time.substeps = 2;
+    scenario.kernel.function = KernelName::wendland_c2;
+    scenario.pressure.relaxation = 0.3;
+    check_frames(scenario, "float", on_cpu(scenario, "float", {})->state(), {});
+}
+
+BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_with_an_equation_of_state)
+{
+    Scenario scenario = quick();
+    scenario.pressure.model = PressureModel::eos;
+    scenario.pressure.stiffness_m2_s2 = 2000;
+    scenario.time.substeps = 4;
+    check_frames(scenario, "float", on_cpu(scenario, "float", {})->state(), {});
+}
+
+/// Blood that goes through seams, and open ends beside them.
+BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_in_periodic_domains)
+{
+    const std::pair<std::string, std::string> runs[] = {
+        {"box", "double"}, {"slip_channel", "float"}, {"duct", "float"}};
+    for (const auto& [name, precision] : runs) {
+        Scenario scenario = read_scenario(ANEURYSM_DATA "/scenarios/verify_" + name + ".json");
+        scenario.pressure.max_iterations = 20;
+        SimulationState start = on_cpu(scenario, precision, {})->state();
+        for (std::size_t i = 0; i < start.particles.size(); ++i) {
+            const double phase = 40 * start.particles.position[i].y;
+            start.particles.velocity[i] = {4 * std::sin(phase), 0, -4 * std::cos(phase)};
+        }
+        check_frames(scenario, precision, start, {.backwards = true});
+    }
+}
+
+/// More neighbors than there is room for at first: the frame is made again with longer lists.
+BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_when_lists_grow)
+{
+    Scenario scenario = quick();
+    scenario.kernel.smoothing_length_spacings = 1.4;
+    scenario.pressure.relaxation = 0.1;
+    check_frames(scenario, "float", on_cpu(scenario, "float", {})->state(), {});
+}
+
+BOOST_AUTO_TEST_CASE(a_sum_of_lanes_in_another_order_is_noticed)
+{
+    const SimulationState start = on_cpu(quick(), "float", {})->state();
+    emulated_gpu::misread_lanes(true);
+    const auto gpu = emulated_gpu::simulate(quick(), {"float"}, start);
+    const auto cpu = on_cpu(quick(), "float", start);
+    gpu->advance();
+    cpu->advance();
+    emulated_gpu::misread_lanes(false);
+    BOOST_TEST((gpu->state().particles.velocity != cpu->state().particles.velocity));
+}
+
+BOOST_AUTO_TEST_CASE(errors_name_device_call_place_and_cause)
+{
+    const SimulationState start = on_cpu(quick(), "float", {})->state();
+    const auto message = [&start](int block_size) -> std::string {
+        try {
+            emulated_gpu::simulate(quick(), {"float", block_size}, start);
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    BOOST_TEST(message(0).empty());
+    for (const int block_size : {-32, 100, 512}) {
+        BOOST_TEST(message(block_size).starts_with("--block-size: " + std::to_string(block_size)));
+    }
+    emulated_gpu::refuse_memory(true);
+    const std::string refused = message(0);
+    emulated_gpu::refuse_memory(false);
+    BOOST_TEST_MESSAGE(refused);
+    for (const char* part : {"GPU 0 (emulated): cudaMalloc of ", " bytes failed at executor_gpu.hpp:",
+                             ": an error of the emulated GPU", "; fewer particles"}) {
+        BOOST_TEST(refused.find(part) != std::string::npos);
+    }
+}
+
+/// What a frame asks of a GPU doesn't depend on the number of particles, but for passes of the sort.
+BOOST_AUTO_TEST_CASE(a_frame_is_one_graph_of_as_many_kernels_for_any_number_of_particles)
+{
+    std::vector<emulated_gpu::Asked> asked;
+    for (const int count : {700, 1500}) {
+        Scenario scenario = quick();
+        scenario.particles.count = count;
+        const SimulationState start = on_cpu(scenario, "float", {})->state();
+        emulated_gpu::execute(false);
+        const auto gpu = emulated_gpu::simulate(scenario, {"float"}, start);
+        gpu->advance();
+        emulated_gpu::last_asked();
+        gpu->advance();
+        asked.push_back(emulated_gpu::last_asked());
+        emulated_gpu::execute(true);
+    }
+    BOOST_TEST(asked[0].kernels > 0);
+    BOOST_TEST(asked[0].kernels == asked[1].kernels);
+    BOOST_TEST(asked[0].loops == asked[1].loops, boost::test_tools::per_element());
+    BOOST_TEST(asked[0].to_device == asked[1].to_device);
+    BOOST_TEST(asked[0].to_host == asked[1].to_host);
+    BOOST_TEST(asked[0].to_host < 1000U);
+}

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs of other scenarios than the paper's own: pressure models, kernels, waveforms, shapes, angles, and what
+// ends a run or refuses to start it.
+#include "common/error.hpp"
+#include "common/scenario/limits.hpp"
+#include "reference/incompressible.hpp"
+#include "reference/simulation.hpp"
+#include "tests/runs.hpp"
+#include "tests/support.hpp"
+#include "tests/vessels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+using namespace aneurysm;
+using namespace aneurysm::test;
+
+namespace
+{
+
+/// Scenario `quick` with fewer iterations, so that it starts sooner.
+Scenario short_scenario()
+{
+    Scenario scenario = shipped_scenario("quick");
+    scenario.pressure.max_iterations = 40;
+    return scenario;
+}
+
+/// Its first state. A scenario with the same vessel, kernel and particles can go on from here.
+const SimulationState& settled()
+{
+    static const SimulationState state = reference::Simulation(short_scenario()).state();
+    return state;
+}
+
+/// What the error says when the scenario is refused; empty when it isn't.
+std::string refusal(const Scenario& scenario)
+{
+    try {
+        const reference::Simulation unused(scenario, settled());
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+/// The number of particles stays, none is outside, and all are somewhere.
+bool is_sound(const Run& run)
+{
+    return std::ranges::all_of(run.frames,
+                               [&](const FrameRecord& f) {
+                                   return f.total == run.scenario.particles.count && f.outside == 0;
+                               }) &&
+           std::ranges::all_of(run.states.back().particles.position,
+                               [](const Vec3& x) { return is_finite(x); });
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_papers_equation_of_state_blows_up_and_leaves_the_last_good_frame)
+{
+    Scenario scenario = short_scenario();
+    scenario.pressure.model = PressureModel::eos;
+    scenario.pressure.stiffness_m2_s2 = 1;
+    reference::Simulation simulation(scenario, settled());
+    SimulationState last = simulation.state();
+    std::string message;
+    for (int n = 0; n < 400 && message.empty(); ++n) {
+        try {
+            const FrameRecord frame = simulation.advance();
+            BOOST_TEST_REQUIRE(frame.frame == last.frame + 1);
+            last = simulation.state();
+        } catch (const SimulationError& error) {
+            message = error.what();
+        }
+    }
+    BOOST_TEST_MESSAGE(message);
+
+    BOOST_TEST(contains(message, "frame " + std::to_string(last.frame + 1) + ", particle "));
+    BOOST_TEST(contains(message, "density"));
+    BOOST_TEST(same_bits(simulation.state(), last));
+    BOOST_TEST(last.frame > 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_stiff_equation_of_state_holds_the_blood)
+{
+    Scenario scenario = short_scenario();
+    scenario.pressure.model = PressureModel::eos;
+    scenario.pressure.stiffness_m2_s2 = 100.0 * 100; // the square of the speed of sound
+    scenario.time.substeps = 4;
+    reference::Simulation simulation(scenario, settled());
+    const Run stiff = run(scenario, simulation, 100);
+    const auto highest = std::ranges::max(stiff.frames, {}, &FrameRecord::density_error_max);
+    BOOST_TEST_MESSAGE("largest density error " << highest.density_error_max << " in frame "
+                                                << highest.frame);
+
+    BOOST_TEST(is_sound(stiff));
+    BOOST_TEST(highest.density_error_max < scenario.pressure.blow_up_density_ratio - 1);
+}
+
+BOOST_AUTO_TEST_CASE(wendland_kernel_runs_below_its_own_relaxation_limit)
+{
+    Scenario scenario = short_scenario();
+    scenario.kernel.function = KernelName::wendland_c2;
+    const double limit = reference::relaxation_limit(KernelName::wendland_c2, 1);
+    BOOST_TEST_MESSAGE("relaxation limit " << limit);
+    scenario.pressure.relaxation = 0.7 * limit;
+
+    BOOST_TEST(is_sound(run(scenario, 50)));
+}
+
+BOOST_AUTO_TEST_CASE(a_relaxation_at_its_limit_is_refused)
+{
+    Scenario scenario = short_scenario();
+    const double limit = reference::relaxation_limit(KernelName::cubic_spline, 1);
+    scenario.pressure.relaxation = limit;
+    BOOST_TEST(contains(refusal(scenario), "pressure.relaxation"));
+    scenario.pressure.relaxation = limit * (1 - 1e-12);
+    BOOST_TEST(refusal(scenario).empty());
+    scenario.pressure.relaxation = limit;
+    scenario.pressure.model = PressureModel::eos; // which doesn't relax
+    BOOST_TEST(refusal(scenario).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_with_the_substeps_that_are_enough)
+{
+    const auto check = [](Scenario scenario) {
+        const double limit = step_limits(scenario, settled().spacing).smallest();
+        const auto needed = static_cast<std::int64_t>(std::ceil(scenario.time.frame_s / limit));
+        BOOST_TEST_REQUIRE(needed > 1);
+        scenario.time.substeps = needed - 1;
+        const std::string message = refusal(scenario);
+        BOOST_TEST_MESSAGE(message);
+        BOOST_TEST(contains(message, "time.substeps: " + std::to_string(needed - 1)));
+        BOOST_TEST(contains(message, "at least " + std::to_string(needed)));
+        scenario.time.substeps = needed;
+        BOOST_TEST(refusal(scenario).empty());
+    };
+    Scenario fast = short_scenario();
+    fast.inlet.peak_velocity_m_s = 60;
+    check(fast);
+    Scenario viscous = short_scenario();
+    viscous.fluid.viscosity_pa_s = 1e4;
+    check(viscous);
+    Scenario stiff = short_scenario();
+    stiff.pressure.model = PressureModel::eos;
+    stiff.pressure.stiffness_m2_s2 = 1e6;
+    check(stiff);
+}
+
+BOOST_AUTO_TEST_CASE(books_are_kept_through_both_halves_of_the_cycle)
+{
+    Scenario scenario = short_scenario();
+    scenario.rupture.yield_limit_pa = 1e6; // never ruptures
+    SimulationState late = settled();
+    late.frame = 320; // the inlet turns at 400
+    reference::Simulation simulation(scenario, late);
+    const Run cycle = run(scenario, simulation, 290);
+    const auto balanced = [&](auto gained) {
+        std::int64_t fluid = std::ranges::count(cycle.states[0].particles.kind, Kind::fluid);
+        return std::ranges::all_of(cycle.frames,
+                                   [&](const FrameRecord& f) { return f.fluid == fluid + gained(f.ledger); });
+    };
+    const Ledger& half = cycle.frames[79].ledger;
+    const Ledger& end = cycle.frames.back().ledger;
+    BOOST_TEST_MESSAGE("in " << end.inlet_in << " back " << end.inlet_out << " out " << end.outlet_out
+                             << " back " << end.outlet_in << " missed " << end.missed);
+
+    BOOST_TEST(is_sound(cycle));
+    BOOST_TEST(half.inlet_in > 0);
+    BOOST_TEST(half.outlet_out > 0);
+    BOOST_TEST(end.inlet_out > half.inlet_out);
+    BOOST_TEST(end.outlet_in > half.outlet_in);
+    BOOST_TEST(
+        balanced([](const Ledger& l) { return l.inlet_in - l.inlet_out + l.outlet_in - l.outlet_out; }));
+    BOOST_TEST(!balanced([](const Ledger& l) { return l.inlet_in + l.outlet_in - l.outlet_out; }));
+    BOOST_TEST(!balanced([](const Ledger& l) { return l.inlet_in - l.inlet_out - l.outlet_out; }));
+    BOOST_TEST(!balanced([](const Ledger& l) { return -l.inlet_out + l.outlet_in - l.outlet_out; }));
+    BOOST_TEST(!balanced([](const Ledger& l) { return l.inlet_in - l.inlet_out + l.outlet_in; }));
+}
+
+BOOST_AUTO_TEST_CASE(all_shapes_and_angles_start_and_run)
+{
+    for (const SacWidths& sac : {table_2[0], table_2[1], table_2[2], SacWidths{}}) {
+        const Run started = run(with_sac(short_scenario(), sac), 3);
+        BOOST_TEST(is_sound(started));
+        BOOST_TEST((started.frames.back().critical_pressure > 0) == (sac.shape != SacShape::none));
+    }
+    for (const double angle : {30.0, 60.0, 75.0}) {
+        Scenario scenario = short_scenario();
+        scenario.vessel.angle_deg = angle;
+        scenario.particles.count = 1999;
+        BOOST_TEST(is_sound(run(scenario, 3)));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_soundness_that_is_asked_for_above_can_fail)
+{
+    Run broken{short_scenario(), {FrameRecord{}}, {settled()}};
+    broken.frames[0].total = broken.scenario.particles.count;
+    BOOST_TEST(is_sound(broken));
+    broken.frames[0].outside = 1;
+    BOOST_TEST(!is_sound(broken));
+    broken.frames[0].outside = 0;
+    broken.frames[0].total -= 1;
+    BOOST_TEST(!is_sound(broken));
+    broken.frames[0].total += 1;
+    broken.states[0].particles.position[5].y = std::nan("");
+    BOOST_TEST(!is_sound(broken));
+}

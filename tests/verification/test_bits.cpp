@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// The comparison of bits: against another executor and against recorded hashes; one bit is a failure.
+#include "output/file.hpp"
+#include "tests/files.hpp"
+#include "tests/support.hpp"
+#include "tests/verification/candidates.hpp"
+#include "verification/comparison/bits.hpp"
+
+#include <cmath>
+
+using namespace aneurysm;
+using namespace aneurysm::test;
+using namespace aneurysm;
+
+namespace
+{
+
+constexpr int frames = 3;
+
+const Scenario& quick()
+{
+    static const Scenario result = shipped_scenario("quick");
+    return result;
+}
+
+const SimulationState& start()
+{
+    static const SimulationState state = reference::Simulation(quick()).state();
+    return state;
+}
+
+bool go_on(const FrameRecord&)
+{
+    return true;
+}
+
+/// The last bit of one number, in frame 2 only.
+void flip(Frame& f)
+{
+    double& x = f.state.particles.velocity[7].y;
+    if (f.record.frame == 2) {
+        x = std::nextafter(x, 1e9);
+    }
+}
+
+comparison::ComparisonResult compare_with_twin(const Faults& faults)
+{
+    Candidate candidate(quick(), start(), "float", faults);
+    Candidate twin(quick(), start(), "float");
+    return comparison::compare_bits(candidate, {&twin, {}}, frames, go_on);
+}
+
+const comparison::RecordedHashes& recorded()
+{
+    static const comparison::RecordedHashes result = [] {
+        comparison::RecordedHashes hashes{"quick", scenario_hash(quick()), "float", {}};
+        Candidate candidate(quick(), start(), "float");
+        comparison::compare_bits(candidate, {}, frames, go_on, &hashes);
+        return hashes;
+    }();
+    return result;
+}
+
+comparison::ComparisonResult compare_with_record(const Faults& faults, int count = frames)
+{
+    Candidate candidate(quick(), start(), "float", faults);
+    return comparison::compare_bits(candidate, {nullptr, recorded()}, count, go_on);
+}
+
+bool says(const comparison::ComparisonResult& result, const std::string& text)
+{
+    return std::ranges::any_of(result.problems, [&](const std::string& p) { return contains(p, text); });
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(bits_of_the_same_run_are_the_same)
+{
+    BOOST_TEST(compare_with_twin({}).passed());
+    BOOST_TEST(compare_with_record({}).passed());
+}
+
+BOOST_AUTO_TEST_CASE(bits_one_of_them_is_found_and_named)
+{
+    const Faults faults{{}, flip};
+    for (const comparison::ComparisonResult& result :
+         {compare_with_twin(faults), compare_with_record(faults)}) {
+        BOOST_TEST(!result.passed());
+        BOOST_TEST(says(result, "first in frame 2: velocity, state"));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(bits_without_anything_to_compare_with_fail)
+{
+    Candidate candidate(quick(), start(), "float");
+    BOOST_TEST(!comparison::compare_bits(candidate, {}, frames, go_on).passed());
+    BOOST_TEST(!compare_with_record({}, 0).passed());
+    comparison::RecordedHashes other = recorded();
+    other.frames.clear();
+    BOOST_TEST(!comparison::compare_bits(candidate, {nullptr, other}, frames, go_on).passed());
+}
+
+BOOST_AUTO_TEST_CASE(bits_frames_beyond_the_record_are_said)
+{
+    const comparison::ComparisonResult result = compare_with_record({}, frames + 1);
+    BOOST_TEST(result.passed());
+    BOOST_TEST(result.notes.size() == 1U);
+}
+
+BOOST_AUTO_TEST_CASE(bits_recorded_hashes_are_read_back_and_checked)
+{
+    const Scratch scratch;
+    const auto file = scratch.path / "hashes.csv";
+    const std::string text = comparison::to_csv(recorded());
+    write_text(file, text);
+    BOOST_TEST((comparison::read_hashes(file, "quick", "float").frames == recorded().frames));
+    BOOST_TEST(comparison::read_hashes(file, "quick", "float").scenario_hash == scenario_hash(quick()));
+    const auto message = [&](const std::string& scenario, const std::string& precision) {
+        return message_of([&] { comparison::read_hashes(file, scenario, precision); });
+    };
+    BOOST_TEST(contains(message("slow", "float"), "line 1: of another scenario"));
+    BOOST_TEST(contains(message("quick", "double"), "line 3: of another precision"));
+    write_text(file, text.substr(0, text.size() - 20));
+    BOOST_TEST(contains(message("quick", "float"), "line 8: unreadable"));
+    write_text(file, "frame\n1\n");
+    BOOST_TEST(contains(message("quick", "float"), "no scenario, scenario_hash"));
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// The comparison of free runs with an ensemble: another member passes, another model doesn't.
+#include "tests/support.hpp"
+#include "tests/verification/candidates.hpp"
+#include "verification/comparison/free_run.hpp"
+#include "verification/comparison/student_t.hpp"
+
+#include <gsl/gsl_cdf.h>
+
+#include <limits>
+
+using namespace aneurysm;
+using namespace aneurysm::test;
+using namespace aneurysm;
+
+namespace
+{
+
+/// Coarse, and it ruptures within a few frames.
+const Scenario& brief()
+{
+    static const Scenario scenario = [] {
+        Scenario s = shipped_scenario("quick");
+        s.particles.count = 700;
+        s.growth.warm_up_frames = 8;
+        s.rupture.yield_limit_pa /= 1000;
+        return s;
+    }();
+    return scenario;
+}
+
+const SimulationState& start()
+{
+    static const SimulationState state = reference::Simulation(brief()).state();
+    return state;
+}
+
+comparison::ComparisonResult compare(const Scenario& computed, const Faults& faults = {}, int frames = 32)
+{
+    Candidate candidate(computed, start(), "float", faults);
+    comparison::FreeRunSettings settings;
+    settings.frames = frames;
+    settings.windows = 4;
+    settings.members = 6;
+    settings.false_alarm = 0.05; // few members make wide intervals; the seeds are fixed
+    return comparison::compare_free(brief(), candidate, "float", settings,
+                                    [](const FrameRecord&) { return true; });
+}
+
+bool is_red(const comparison::ComparisonResult& result, std::string_view name)
+{
+    const auto field =
+        std::ranges::find_if(result.fields, [&](const auto& f) { return f.worst.name == name; });
+    return !result.passed() && field != result.fields.end() && field->worst.failed > 0;
+}
+
+template <class Change>
+comparison::ComparisonResult compare_other(Change change)
+{
+    Scenario other = brief();
+    change(other);
+    return compare(other);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(free_run_of_the_same_model_passes)
+{
+    const comparison::ComparisonResult result = compare(brief());
+    BOOST_TEST(result.passed());
+    BOOST_TEST(result.phases.contains(Phase::ruptured));
+    BOOST_TEST(result.frames.size() == 4U);
+}
+
+BOOST_AUTO_TEST_CASE(free_run_of_another_model_fails)
+{
+    BOOST_TEST(
+        is_red(compare_other([](Scenario& s) { s.fluid.viscosity_pa_s *= 1.1; }), "kinetic energy [J]"));
+    BOOST_TEST(
+        is_red(compare_other([](Scenario& s) { s.inlet.peak_velocity_m_s *= 1.01; }), "momentum y [kg m/s]"));
+    BOOST_TEST(is_red(compare_other([](Scenario& s) { s.rupture.yield_limit_pa *= 1.01; }), "P_c [Pa]"));
+    BOOST_TEST(is_red(compare_other([](Scenario& s) { s.growth.warm_up_frames = 31; }), "frame of rupture"));
+}
+
+BOOST_AUTO_TEST_CASE(free_run_with_a_fault_in_a_number_fails)
+{
+    const Faults faults{{}, [](Frame& f) {
+                            f.record.impact_force *= 1.5;
+                            f.record.radius *= 1 + 1e-4;
+                            f.record.thickness *= 1 + 1e-4;
+                        }};
+    const comparison::ComparisonResult result = compare(brief(), faults);
+    BOOST_TEST(is_red(result, "F_b [N]"));
+    BOOST_TEST(is_red(result, "R [m]"));
+    BOOST_TEST(is_red(result, "h [m]"));
+    const Faults nan{{},
+                     [](Frame& f) { f.record.kinetic_energy = std::numeric_limits<double>::quiet_NaN(); }};
+    BOOST_TEST(is_red(compare(brief(), nan, 4), "kinetic energy [J]"));
+    BOOST_TEST(!compare(brief(), {}, 0).passed());
+}
+
+BOOST_AUTO_TEST_CASE(free_run_prediction_interval_is_students)
+{
+    for (const int members : {3, 4, 8, 9, 20}) {
+        for (const double alpha : {0.05, 1e-3, 1e-5}) {
+            const double expected = gsl_cdf_tdist_Qinv(alpha / 2, members - 1) * std::sqrt(1 + 1.0 / members);
+            const double relative = 1e-15 / alpha; // the tail is 1 minus a sum near 1
+            BOOST_TEST(within(comparison::prediction_factor(members, alpha), expected,
+                              expected * (relative + 1e-12)));
+        }
+    }
+    BOOST_TEST(
+        !within(comparison::prediction_factor(8, 0.05), comparison::prediction_factor(8, 0.051), 1e-3));
+}

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// The comparison in lockstep: the reference, rounded to float, passes; with any planted fault it doesn't.
+#include "output/columns.hpp"
+#include "tests/support.hpp"
+#include "tests/verification/candidates.hpp"
+#include "verification/comparison/lockstep.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+using namespace aneurysm;
+using namespace aneurysm::test;
+using comparison::ComparisonResult;
+
+namespace
+{
+
+const Scenario& scenario()
+{
+    static const Scenario result = shipped_scenario("quick");
+    return result;
+}
+
+/// Frame 0 and frame 10, where blood is in full flow.
+const std::array<SimulationState, 2>& starts()
+{
+    static const std::array<SimulationState, 2> states = [] {
+        reference::Simulation simulation(scenario());
+        const SimulationState first = simulation.state();
+        for (int n = 0; n < 10; ++n) {
+            simulation.advance();
+        }
+        return std::array{first, simulation.state()};
+    }();
+    return states;
+}
+const SimulationState& start()
+{
+    return starts()[1];
+}
+
+comparison::ComparisonResult compare(const Scenario& right, backends::Backend& candidate,
+                                     const std::string& precision, int frames)
+{
+    return comparison::compare_lockstep(right, candidate, precision, frames,
+                                        [](const FrameRecord&) { return true; });
+}
+
+/// A candidate that computes `scenario` as it is.
+comparison::ComparisonResult compare_right(const Scenario& right, const std::string& precision, int frames)
+{
+    Candidate candidate(right, start(), precision);
+    return compare(right, candidate, precision, frames);
+}
+
+comparison::ComparisonResult compare_faulty(const Faults& faults, const std::string& precision = "float",
+                                            int frames = 1)
+{
+    Candidate candidate(scenario(), start(), precision, faults);
+    return compare(scenario(), candidate, precision, frames);
+}
+
+/// Another scenario is computed than should be, from frame 0: pressures, and with them the bounds, are still
+/// small.
+comparison::ComparisonResult compare_other(const Scenario& other, const std::string& precision)
+{
+    Candidate candidate(other, starts()[0], precision);
+    return compare(scenario(), candidate, precision, 5);
+}
+
+/// Whether the field's bound is broken.
+bool is_red(const comparison::ComparisonResult& result, std::string_view name)
+{
+    const auto field =
+        std::ranges::find_if(result.fields, [&](const auto& f) { return f.worst.name == name; });
+    return !result.passed() && field != result.fields.end() && field->worst.failed > 0;
+}
+
+bool reached(const comparison::ComparisonResult& result, Phase phase)
+{
+    return result.phases.contains(phase);
+}
+
+/// Blood in the middle of the parent tube.
+std::size_t some_blood(const SimulationState& state)
+{
+    for (std::size_t i = 0; i < state.particles.size(); ++i) {
+        const Vec3& x = state.particles.position[i];
+        if (state.particles.kind[i] == Kind::fluid && x.y < -0.5 && x.y > -1 && std::hypot(x.x, x.z) < 0.2) {
+            return i;
+        }
+    }
+    throw std::runtime_error("no blood in the parent tube");
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(lockstep_the_reference_passes_in_both_precisions)
+{
+    Scenario growing = scenario();
+    growing.growth.warm_up_frames = 12;
+    for (const std::string precision : {"double", "float"}) {
+        const comparison::ComparisonResult result = compare_right(growing, precision, 15);
+        BOOST_TEST(result.passed());
+        BOOST_TEST(result.frames.size() == 15U);
+        BOOST_TEST(result.open_frames.empty());
+        BOOST_TEST(reached(result, Phase::growing));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(lockstep_passes_through_rupture_and_bleeding)
+{
+    Scenario weak = scenario();
+    weak.growth.warm_up_frames = 12;
+    weak.rupture.yield_limit_pa /= 1000;
+    weak.rupture.breach_radius_radii *= 2;
+    const comparison::ComparisonResult result = compare_right(weak, "float", 25);
+    BOOST_TEST(result.passed());
+    BOOST_TEST(reached(result, Phase::warm_up));
+    BOOST_TEST(reached(result, Phase::ruptured));
+}
+
+BOOST_AUTO_TEST_CASE(lockstep_passes_with_substeps_and_with_the_equation_of_state)
+{
+    Scenario fine = scenario();
+    fine.time.substeps = 2;
+    BOOST_TEST(compare_right(fine, "float", 5).passed());
+    Scenario eos = scenario();
+    eos.pressure.model = PressureModel::eos;
+    eos.pressure.stiffness_m2_s2 = 100;
+    BOOST_TEST(compare_right(eos, "float", 5).passed());
+    Candidate wrong(scenario(), start(), "float");
+    BOOST_TEST(!compare(eos, wrong, "float", 1).passed());
+}
+
+BOOST_AUTO_TEST_CASE(lockstep_nothing_compared_is_a_failure)
+{
+    BOOST_TEST(!compare_right(scenario(), "float", 0).passed());
+}
+
+BOOST_AUTO_TEST_CASE(lockstep_finds_another_viscosity)
+{
+    Scenario other = scenario();
+    other.fluid.viscosity_pa_s *= 1 + 1e-4;
+    BOOST_TEST(is_red(compare_other(other, "float"), "velocity [m/s]"));
+    other.fluid.viscosity_pa_s = scenario().fluid.viscosity_pa_s * (1 + 1e-12);
+    BOOST_TEST(is_red(compare_other(other, "double"), "velocity [m/s]"));
+}
+
+BOOST_AUTO_TEST_CASE(lockstep_finds_other_constants)
+{
+    const auto finds = [](auto change, const char* precision, const char* field) {
+        Scenario other = scenario();
+        change(other);
+        return is_red(compare_other(other, precision), field);
+    };
+    BOOST_TEST(finds([](Scenario& s) { s.fluid.density_kg_m3 *= 1 + 1e-4; }, "float", "density [kg/m^3]"));
+    BOOST_TEST(finds([](Scenario& s) { s.fluid.gravity_m_s2.y *= 1 + 1e-3; }, "float", "velocity [m/s]"));
+    BOOST_TEST(finds([](Scenario& s) { s.outlet.pressure_pa *= 1 + 1e-4; }, "float", "velocity [m/s]"));
+    BOOST_TEST(
+        finds([](Scenario& s) { s.inlet.peak_velocity_m_s *= 1 + 1e-6; }, "float", "inlet_velocity_m_s"));
+    BOOST_TEST(finds([](Scenario& s) { s.rupture.impact_band_spacings *= 4; }, "float", "impact_count"));
+    BOOST_TEST(finds([](Scenario& s) { s.pressure.relaxation *= 0.8; }, "double", "iterations"));
+    BOOST_TEST(finds([](Scenario& s) { s.pressure.tolerance_per_s *= 2; }, "float",
+                     "solution of (3): residual_mean [1/s]"));
+}
+
+BOOST_AUTO_TEST_CASE(lockstep_finds_one_particle)
+{
+    const std::size_t i = some_blood(start());
+    const auto after = [&](auto change, const char* field) {
+        const Faults faults{{}, change};
+        return is_red(compare_faulty(faults), field);
+    };
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    BOOST_TEST(after([i](Frame& f) { f.state.particles.velocity[i].x += 1e-4; }, "velocity [m/s]"));
+    BOOST_TEST(after([i](Frame& f) { f.state.particles.position[i].x += 1e-6; }, "position [m]"));
+    BOOST_TEST(after([i](Frame& f) { f.state.particles.pressure[i] *= 1 + 1e-6; }, "pressure [Pa]"));
+    BOOST_TEST(after([i](Frame& f) { f.density[i] *= 1 + 1e-4; }, "density [kg/m^3]"));
+    BOOST_TEST(after([i](Frame& f) { f.state.particles.kind[i] = Kind::escaped; }, "kind"));
+    BOOST_TEST(after([i](Frame& f) { f.state.particles.velocity[i].z = nan; }, "velocity [m/s]"));
+    BOOST_TEST(after([i](Frame& f) { f.state.particles.position[i].z = nan; }, "position [m]"));
+    BOOST_TEST(after([i](Frame& f) { f.state.particles.pressure[i] = nan; }, "pressure [Pa]"));
+    BOOST_TEST(after([i](Frame& f) { f.density[i] = nan; }, "density [kg/m^3]"));
+    BOOST_TEST(after([](Frame& f) { f.state.outlet_velocity[0] += 1e-3; }, "state: outlet velocities [m/s]"));
+    BOOST_TEST(after([i](Frame& f) { f.solved_pressure[i] = -1; }, "solution of (3): pressure >= 0 [Pa]"));
+    BOOST_TEST(!compare_faulty({{}, [i](Frame& f) { f.solved_pressure[i] = nan; }}).passed());
+    BOOST_TEST(!compare_faulty({{}, [](Frame& f) { f.state.particles.kind.pop_back(); }}).passed());
+}
+
+/// The ghost was there, but wasn't seen.
+BOOST_AUTO_TEST_CASE(lockstep_finds_a_missing_ghost)
+{
+    const auto ghost = static_cast<std::size_t>(std::ranges::find(start().particles.kind, Kind::outlet_1) -
+                                                start().particles.kind.begin());
+    const Faults faults{[ghost](SimulationState& s) { s.particles.kind[ghost] = Kind::reserve; },
+                        [ghost](Frame& f) { f.state.particles.kind[ghost] = Kind::outlet_1; }};
+    BOOST_TEST(is_red(compare_faulty(faults), "density [kg/m^3]"));
+    BOOST_TEST(is_red(compare_faulty(faults), "velocity [m/s]"));
+}
+
+BOOST_AUTO_TEST_CASE(lockstep_finds_a_fault_in_every_number_of_a_frame)
+{
+    std::vector<std::string> names;
+    const FrameRecord unused;
+    output::visit_record(unused, [&](std::string_view name, const auto&) { names.emplace_back(name); });
+    for (const std::string& name : names) {
+        const Faults faults{{}, [&name](Frame& f) {
+                                output::visit_record(f.record, [&](std::string_view column, auto& value) {
+                                    using Value = std::remove_reference_t<decltype(value)>;
+                                    if (column != name) {
+                                        return;
+                                    }
+                                    if constexpr (std::is_same_v<Value, double>) {
+                                        value += 0.2 * (std::abs(value) + 1e-3);
+                                    } else if constexpr (std::is_same_v<Value, Phase>) {
+                                        value = Phase::ruptured;
+                                    } else {
+                                        ++value;
+                                    }
+                                });
+                            }};
+        if (name == "iterations") { // of a float candidate they are its own
+            BOOST_TEST(is_red(compare_faulty(faults, "double"), name));
+        } else {
+            BOOST_TEST(!compare_faulty(faults).passed(), name);
+        }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(lockstep_finds_a_fault_in_every_number_of_the_wall)
+{
+    const auto red = [](double AneurysmState::*member, const char* field) {
+        const Faults faults{{}, [member](Frame& f) {
+                                double& x = f.state.aneurysm.*member;
+                                x += 1e-5 * (std::abs(x) + 1);
+                            }};
+        return is_red(compare_faulty(faults), field);
+    };
+    BOOST_TEST(red(&AneurysmState::radius, "state: radius_m"));
+    BOOST_TEST(red(&AneurysmState::thickness, "state: thickness_m"));
+    BOOST_TEST(red(&AneurysmState::displacement, "state: displacement_m"));
+    BOOST_TEST(red(&AneurysmState::wall_velocity, "state: wall_velocity_m_s"));
+    const Faults frame{{}, [](Frame& f) { f.state.aneurysm.rupture_frame = 3; }};
+    BOOST_TEST(is_red(compare_faulty(frame), "state: rupture_frame"));
+    const Faults phase{{}, [](Frame& f) { f.state.aneurysm.phase = Phase::growing; }};
+    BOOST_TEST(is_red(compare_faulty(phase), "state: phase"));
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hook for planted faults, in a build that has it: each kind of fault does what it says, in one place of
+// one backend.
+#include "common/fault.hpp"
+#include "cuda/executor/lanes.hpp"
+#include "cuda/growth.hpp"
+#include "reference/boundary.hpp"
+#include "reference/growth.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+
+using namespace aneurysm;
+using faults::Fault;
+using faults::Kind;
+using faults::Part;
+using faults::planted;
+using faults::Side;
+
+namespace
+{
+
+/// Plants a fault for its own lifetime.
+class Plant
+{
+public:
+    Plant(Place place, Kind kind, double size = 0, Side side = Side::reference)
+    {
+        planted = {place, side, kind, size};
+    }
+    ~Plant() { planted = {}; }
+    Plant(const Plant&) = delete;
+    Plant(Plant&&) = delete;
+    Plant& operator=(const Plant&) = delete;
+    Plant& operator=(Plant&&) = delete;
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(without_a_fault_nothing_changes)
+{
+    BOOST_TEST(reference::fault(eq22_radius, 0.4) == 0.4);
+    const Plant elsewhere(eq22_thinning, Kind::coefficient, 0.5);
+    BOOST_TEST(reference::fault(eq22_radius, 0.4) == 0.4);
+    const Plant other_side(eq22_radius, Kind::coefficient, 0.5, Side::device);
+    BOOST_TEST(reference::fault(eq22_radius, 0.4) == 0.4);
+    BOOST_TEST(device::fault(eq22_radius, 0.4) == 0.6, boost::test_tools::tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(coefficient)
+{
+    const Plant plant(eq22_radius, Kind::coefficient, 0.25);
+    BOOST_TEST(reference::fault(eq22_radius, 0.4) == 0.5);
+    BOOST_TEST(reference::fault(eq22_radius, -4.0F) == -5.0F);
+    BOOST_TEST((reference::fault(eq22_radius, Vec3{4, 8, -12}) == Vec3{5, 10, -15}));
+}
+
+BOOST_AUTO_TEST_CASE(sign)
+{
+    const Plant plant(eq22_radius, Kind::sign);
+    BOOST_TEST(reference::fault(eq22_radius, 0.4) == -0.4);
+    BOOST_TEST((reference::fault(eq22_radius, Vec3{1, 0, -2}) == Vec3{-1, 0, 2}));
+}
+
+BOOST_AUTO_TEST_CASE(power)
+{
+    const Plant plant(eq22_radius, Kind::power, 1);
+    BOOST_TEST(reference::fault(eq22_radius, 3.0) == 9);
+    BOOST_TEST(reference::fault(eq22_radius, -3.0F) == -9);
+}
+
+BOOST_AUTO_TEST_CASE(power_of_a_vector_is_the_wrong_index)
+{
+    const Plant plant(eq14_velocity, Kind::power, 1);
+    BOOST_TEST((reference::fault(eq14_velocity, Vec3{1, 2, 3}) == Vec3{3, 1, 2}));
+}
+
+BOOST_AUTO_TEST_CASE(dropped_is_what_the_part_can_do_without)
+{
+    {
+        const Plant plant(eq22_radius, Kind::dropped); // a factor
+        BOOST_TEST(reference::fault(eq22_radius, 0.4) == 1);
+    }
+    {
+        const Plant plant(eq22_thinning, Kind::dropped); // a term
+        BOOST_TEST(reference::fault(eq22_thinning, 0.4) == 0);
+    }
+    {
+        const Plant plant(fig1_outwards, Kind::dropped); // a condition
+        BOOST_TEST(reference::fault(fig1_outwards, false));
+        BOOST_TEST(reference::fault(fig1_outwards, true));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(sign_of_a_condition_is_its_opposite)
+{
+    const Plant plant(fig1_outwards, Kind::sign);
+    BOOST_TEST(reference::fault(fig1_outwards, false));
+    BOOST_TEST(!reference::fault(fig1_outwards, true));
+}
+
+BOOST_AUTO_TEST_CASE(off_by_one_is_the_value_before)
+{
+    const Plant plant(eq22_thinning, Kind::off_by_one);
+    BOOST_TEST(reference::fault(eq22_thinning, 1.0) == 1); // the first has none before
+    BOOST_TEST(reference::fault(eq22_thinning, 2.0) == 1);
+    BOOST_TEST(reference::fault(eq22_thinning, 3.0) == 2);
+    BOOST_TEST((reference::fault(eq22_thinning, Vec3{1, 2, 3}) == Vec3{1, 2, 3}));
+    BOOST_TEST((reference::fault(eq22_thinning, Vec3{4, 5, 6}) == Vec3{1, 2, 3}));
+    BOOST_TEST(reference::fault(eq22_thinning, 10) == 9); // a count
+}
+
+BOOST_AUTO_TEST_CASE(off_by_one_of_lanes_is_the_neighbor_before)
+{
+    const Plant plant(eq22_thinning, Kind::off_by_one, 0, Side::device);
+    using Lanes = device::Lanes<double>;
+    device::fault(eq22_thinning, Lanes(device::Eight<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+    const Lanes next =
+        device::fault(eq22_thinning, Lanes(device::Eight<double>{9, 10, 11, 12, 13, 14, 15, 16}));
+    for (int l = 0; l < device::lane_count; ++l) {
+        BOOST_TEST(next.v[l] == 8 + l);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(lanes_and_vectors_of_them)
+{
+    const Plant plant(eq22_thinning, Kind::coefficient, 0.25, Side::device);
+    using Lanes = device::Lanes<float>;
+    const auto v = device::fault(eq22_thinning, Vec3T<Lanes>{Lanes(4), Lanes(8), Lanes(12)});
+    BOOST_TEST(v.x.v[7] == 5);
+    BOOST_TEST(v.y.v[0] == 10);
+    BOOST_TEST(v.z.v[3] == 15);
+}
+
+BOOST_AUTO_TEST_CASE(a_wall_that_ought_to_stand_still_moves)
+{
+    const Plant plant(eq27_velocity, Kind::coefficient, 0.25);
+    BOOST_TEST((reference::wall_velocity() == Vec3{0.25, 0.25, 0.25}));
+}
+
+BOOST_AUTO_TEST_CASE(one_backend_at_a_time)
+{
+    const double right = reference::thickness_growing(0.1, 0.4, 0.5, 0.001);
+    const Plant plant(eq22_thinning, Kind::sign, 0, Side::device);
+    BOOST_TEST(reference::thickness_growing(0.1, 0.4, 0.5, 0.001) == right);
+    BOOST_TEST(device::thickness_growing(0.1, 0.4, 0.5, 0.001) > 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_computed_is_noticed)
+{
+    BOOST_TEST(!faults::visited[0][eq23_cap]);
+    reference::thickness_developed(0.1, 1.1, 0.001, 0.01);
+    BOOST_TEST(faults::visited[0][eq23_cap]);
+    BOOST_TEST(!faults::visited[1][eq23_cap]);
+}
+
+BOOST_AUTO_TEST_CASE(places_have_names_of_their_own)
+{
+    std::set<std::string_view> names;
+    for (const faults::PlaceInfo& place : faults::places) {
+        BOOST_TEST(names.insert(place.name).second, place.name);
+        BOOST_TEST(!place.text.empty());
+    }
+    BOOST_TEST(faults::places[eq22_radius].name == "eq22_radius");
+    BOOST_CHECK(faults::places[fig1_outwards].part == Part::condition);
+}

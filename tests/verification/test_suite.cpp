@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0
+// The suite's frame: what a quantity accepts, what a check's verdict is, which checks are chosen for whom.
+#include "common/error.hpp"
+#include "common/process/interrupt.hpp"
+#include "verification/checks/checks.hpp"
+#include "verification/suite/suite.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <stdexcept>
+
+using namespace aneurysm;
+
+namespace
+{
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+suite::Quantity length(suite::Source source = suite::Source::rounding)
+{
+    return {"length [m]", source, "gamma_1 |x|: one rounding"};
+}
+
+suite::Check check_of(std::string_view id, std::function<void(suite::Probe&)> run,
+                      suite::Scope scope = suite::Scope::flows)
+{
+    return {.id = id,
+            .equations = {},
+            .title = "a test",
+            .oracles = {"itself"},
+            .scope = scope,
+            .run = std::move(run)};
+}
+
+/// Compares a number with 1, of which 0.1 may be missing.
+std::function<void(suite::Probe&)> compares(double x)
+{
+    return [x](suite::Probe& probe) {
+        probe.quantity("x", suite::Source::exact, "what the test says").within(x, 1, 0.1);
+    };
+}
+
+suite::CheckResult outcome(std::function<void(suite::Probe&)> run)
+{
+    const suite::Check check = check_of("a_test", std::move(run));
+    return suite::run_check(check, suite::once());
+}
+
+std::vector<suite::Check> three_checks()
+{
+    suite::Check first = check_of("eq08_balance", compares(1));
+    first.equations = {"8"};
+    suite::Check second = check_of("poiseuille_channel", compares(1));
+    second.level = suite::Level::continuous;
+    second.equations = {"1", "7", "EOS"};
+    suite::Check third = check_of("eq18_slow", compares(1));
+    third.equations = {"18"};
+    third.quick = false;
+    return {first, second, third};
+}
+
+std::string selected(const std::vector<std::string>& only, bool full = true)
+{
+    const std::vector<suite::Check> checks = three_checks();
+    std::string ids;
+    for (const suite::Check* check : suite::select(checks, full, only)) {
+        ids.append(check->id).append(" ");
+    }
+    return ids.substr(0, ids.empty() ? 0 : ids.size() - 1);
+}
+
+suite::SuiteResult suite_of(const std::vector<suite::Check>& checks,
+                            std::vector<suite::SuiteSubject> subjects, int threads = 2)
+{
+    return suite::run_suite(suite::select(checks, true, {}), std::move(subjects), threads);
+}
+
+std::vector<suite::SuiteSubject> reference_and_missing()
+{
+    std::vector<suite::SuiteSubject> subjects(2);
+    subjects[0].subject = suite::once();
+    subjects[1].subject.choice = {"cuda", "float", 1, 0};
+    subjects[1].missing = "no GPU: none";
+    return subjects;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_quantity_accepts_its_bound_and_nothing_beyond)
+{
+    suite::Quantity q = length();
+    BOOST_TEST(!q.passed()); // nothing compared
+    BOOST_TEST(q.within(1.5, 1, 0.5));
+    BOOST_TEST(q.passed());
+    BOOST_TEST(!q.within(std::nextafter(1.5, 2), 1, 0.5));
+    BOOST_TEST(!q.passed());
+    BOOST_TEST(q.compared() == 2);
+    BOOST_TEST(q.failed() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_quantity_refuses_what_is_no_number)
+{
+    const double nan = std::nan("");
+    BOOST_TEST(!length().within(nan, 1, infinite));
+    BOOST_TEST(!length().within(1, nan, 1));
+    BOOST_TEST(!length().within(1, 1, nan));
+    BOOST_TEST(!length().within(1, 1, -1));
+    BOOST_TEST(!length().within(infinite, 1, 1));
+}
+
+BOOST_AUTO_TEST_CASE(a_quantity_keeps_the_worst_instance)
+{
+    suite::Quantity q = length();
+    q.within(1.1, 1, 1, "a");
+    q.within(2, 1, 2, "b");
+    q.within(1.2, 1, 1, "c");
+    BOOST_TEST(q.worst().where == "b");
+    BOOST_TEST(q.worst().ratio == 0.5);
+    q.equal(3, 4, "d");
+    BOOST_TEST(q.worst().where == "d");
+    BOOST_TEST(q.worst().ratio == infinite);
+    suite::Quantity empty = length();
+    empty.within(std::nan(""), 1, 1, "first");
+    empty.within(1, 1, 1, "second");
+    BOOST_TEST(empty.worst().where == "first");
+}
+
+BOOST_AUTO_TEST_CASE(a_quantity_knows_a_loose_bound)
+{
+    suite::Quantity tight = length();
+    tight.within(1 + 1e-10, 1, 1e-9);
+    BOOST_TEST(!tight.loose());
+    suite::Quantity loose = length();
+    loose.within(1 + 1e-10, 1, 1e-6);
+    BOOST_TEST(loose.loose());
+    suite::Quantity bits = length(); // equal numbers say nothing about a bound of some roundings
+    bits.within(1, 1, 0x1p-50);
+    BOOST_TEST(!bits.loose());
+}
+
+BOOST_AUTO_TEST_CASE(a_quantity_needs_a_derivation)
+{
+    BOOST_CHECK_THROW(suite::Quantity("x", suite::Source::rounding, ""), std::logic_error);
+}
+
+BOOST_AUTO_TEST_CASE(verdicts)
+{
+    BOOST_TEST((outcome(compares(1)).verdict == suite::Verdict::holds));
+    const suite::CheckResult failing = outcome(compares(2));
+    BOOST_TEST((failing.verdict == suite::Verdict::fails));
+    BOOST_TEST(failing.message == "not within its bound: x");
+
+    const suite::CheckResult throwing = outcome([](suite::Probe& probe) {
+        compares(1)(probe);
+        throw SimulationError("frame 3", "NaN", "look at it");
+    });
+    BOOST_TEST((throwing.verdict == suite::Verdict::fails));
+    BOOST_TEST(throwing.message == "stopped: frame 3: NaN; look at it");
+    BOOST_TEST(throwing.quantities.size() == 1); // what there was stays
+    BOOST_TEST((outcome([](suite::Probe&) { throw 1; }).verdict == suite::Verdict::fails));
+
+    const suite::CheckResult empty = outcome([](suite::Probe&) {});
+    BOOST_TEST((empty.verdict == suite::Verdict::fails));
+    BOOST_TEST(empty.message == "nothing compared");
+    const suite::CheckResult idle = outcome([](suite::Probe& probe) {
+        compares(1)(probe);
+        probe.quantity("y", suite::Source::exact, "what the test says");
+    });
+    BOOST_TEST((idle.verdict == suite::Verdict::fails));
+    BOOST_TEST(idle.message == "nothing compared: y");
+
+    const suite::CheckResult not_run = outcome([](suite::Probe& probe) { probe.not_run("no such data"); });
+    BOOST_TEST((not_run.verdict == suite::Verdict::not_run));
+    BOOST_TEST(not_run.message == "no such data");
+    const suite::CheckResult excused = outcome([](suite::Probe& probe) {
+        compares(2)(probe);
+        probe.not_run("it fails");
+    });
+    BOOST_TEST((excused.verdict == suite::Verdict::fails)); // no excuse
+}
+
+BOOST_AUTO_TEST_CASE(the_first_failure_ends_a_check_where_that_is_asked_for)
+{
+    int compared = 0;
+    const auto run = [&compared](suite::Probe& probe) {
+        suite::Quantity& x = probe.quantity("x", suite::Source::exact, "what the test says");
+        for (const double value : {1.0, 2.0, 1.0}) {
+            x.within(value, 1, 0);
+            ++compared;
+        }
+    };
+
+    const suite::CheckResult whole = outcome(run);
+    BOOST_TEST(compared == 3);
+    compared = 0;
+    suite::Quantity::first_failure_ends = true;
+    const suite::CheckResult ended = outcome(run);
+    suite::Quantity::first_failure_ends = false;
+
+    BOOST_TEST(compared == 1);
+    BOOST_TEST((ended.verdict == suite::Verdict::fails));
+    BOOST_TEST(ended.message == whole.message);
+}
+
+BOOST_AUTO_TEST_CASE(checks_are_chosen_by_words_equations_and_levels)
+{
+    BOOST_TEST(selected({}, false) == "eq08_balance poiseuille_channel");
+    BOOST_TEST(selected({}) == "eq08_balance poiseuille_channel eq18_slow");
+    for (const char* word : {"eq08", "8", "08", "eq8", "EQ8", "balance", "eq08_balance"}) {
+        BOOST_TEST(selected({word}) == "eq08_balance");
+    }
+    BOOST_TEST(selected({"L3"}) == "poiseuille_channel");
+    BOOST_TEST(selected({"eos"}) == "poiseuille_channel");
+    BOOST_TEST(selected({"18", "7"}) == "poiseuille_channel eq18_slow"); // in the suite's order
+    for (const char* word : {"", "0", "eq", "eq0", "28", "L1", "bal", "poiseuille_", "balance_eq08"}) {
+        BOOST_CHECK_THROW(selected({word}), InputError);
+    }
+    BOOST_CHECK_THROW(selected({"eq18"}, false), InputError);
+    BOOST_CHECK_EXCEPTION(selected({"8", "x"}), InputError, [](const InputError& error) {
+        return std::string(error.what()).find("(x)") != std::string::npos &&
+               std::string(error.what()).find("eq08_balance, poiseuille_channel, eq18_slow") !=
+                   std::string::npos;
+    });
+}
+
+BOOST_AUTO_TEST_CASE(every_subject_has_its_turn_in_a_fixed_order)
+{
+    std::vector<suite::Check> checks{check_of("flows", compares(1)),
+                                     check_of("equations", compares(1), suite::Scope::equations),
+                                     check_of("once", compares(1), suite::Scope::once)};
+    std::vector<suite::SuiteSubject> subjects = suite::make_subjects({"reference", "cpu"});
+    for (const int threads : {1, 3}) {
+        const suite::SuiteResult suite = suite_of(checks, subjects, threads);
+        std::string order;
+        for (const suite::CheckResult& r : suite.results) {
+            BOOST_TEST((r.verdict == suite::Verdict::holds));
+            order.append(r.check->id).append("/").append(r.subject).append(" ");
+        }
+        BOOST_TEST(order == "flows/reference flows/cpu double flows/cpu float "
+                            "equations/reference equations/cpu double once/once ");
+        BOOST_TEST(suite.complete);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_subject_is_not_run_and_says_why)
+{
+    const suite::SuiteResult suite = suite_of(
+        {check_of("flows", compares(1)), check_of("equations", compares(1), suite::Scope::equations)},
+        reference_and_missing());
+    BOOST_TEST(suite.results.size() == 3);
+    BOOST_TEST(suite.results[1].subject == "cuda float");
+    BOOST_TEST((suite.results[1].verdict == suite::Verdict::not_run));
+    BOOST_TEST(suite.results[1].message == "no GPU: none");
+    BOOST_TEST(suite.complete);
+}
+
+BOOST_AUTO_TEST_CASE(a_failing_check_leaves_the_others_alone)
+{
+    const suite::SuiteResult suite =
+        suite_of({check_of("throws", [](suite::Probe&) { throw std::runtime_error("no"); }),
+                  check_of("holds", compares(1)), check_of("fails", compares(0))},
+                 {{suite::once(), "", ""}});
+    BOOST_TEST((suite.results[0].verdict == suite::Verdict::fails));
+    BOOST_TEST((suite.results[1].verdict == suite::Verdict::holds));
+    BOOST_TEST((suite.results[2].verdict == suite::Verdict::fails));
+}
+
+BOOST_AUTO_TEST_CASE(an_interrupted_suite_keeps_what_there_is)
+{
+    const InterruptWatch watch;
+    std::atomic<int> shown = 0;
+    const std::vector<suite::Check> checks{check_of("done", compares(1)),
+                                           check_of("interrupted",
+                                                    [](suite::Probe& probe) {
+                                                        probe.quantity("x", suite::Source::exact,
+                                                                       "what the test says");
+                                                        std::raise(SIGINT);
+                                                        throw Interrupted();
+                                                    }),
+                                           check_of("later", compares(1))};
+    const suite::SuiteResult suite =
+        suite::run_suite(suite::select(checks, true, {}), {{suite::once(), "", ""}}, 1,
+                         [&](std::int64_t, std::int64_t, const std::string&) { ++shown; });
+    BOOST_TEST((suite.results[0].verdict == suite::Verdict::holds));
+    for (const std::size_t k : {1U, 2U}) {
+        BOOST_TEST((suite.results[k].verdict == suite::Verdict::not_run));
+        BOOST_TEST(suite.results[k].message == "interrupted");
+    }
+    BOOST_TEST(!suite.complete);
+    BOOST_TEST(shown > 0);
+}
+
+BOOST_AUTO_TEST_CASE(subjects_are_chosen_by_backend_and_precision)
+{
+    const auto names = [](const std::vector<suite::SuiteSubject>& subjects) {
+        std::string text;
+        for (const suite::SuiteSubject& s : subjects) {
+            text += s.subject.name() + (s.subject.equations != nullptr ? "* " : " ");
+        }
+        return text;
+    };
+    BOOST_TEST(names(suite::make_subjects()) == "reference* cpu double* cpu float cuda double cuda float ");
+    BOOST_TEST(names(suite::make_subjects({"cpu"}, {"float"})) == "cpu float* ");
+    BOOST_TEST(names(suite::make_subjects({"cpu", "reference"})) == "reference* cpu double* cpu float ");
+    BOOST_CHECK_THROW(suite::make_subjects({"gpu"}), InputError);
+    BOOST_CHECK_THROW(suite::make_subjects({"cpu"}, {"half"}), InputError);
+    BOOST_CHECK_THROW(suite::make_subjects({"reference"}, {"float"}), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(all_checks_are_told_apart)
+{
+    for (const suite::Check& check : checks::all_checks()) {
+        BOOST_TEST(suite::select(checks::all_checks(), true, {std::string(check.id)}).front()->id ==
+                   check.id);
+    }
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/scenario/scenario.hpp"
+#include "common/vec3.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace aneurysm::backends
+{
+
+/// A body that (4) interpolates from.
+struct Carrier {
+    Vec3 position;       ///< [m]
+    double mass = 0;     ///< [kg]
+    double rho = 0;      ///< [kg/m^3]
+    double A = 0;        ///< value of the field
+    bool absent = false; ///< in the reserve: takes no part
+};
+
+/// The constants of (18), (19) and (21), as in reference/growth.hpp.
+struct WallTissue {
+    double rho_F = 0; ///< [kg/m^3]
+    double a = 0;     ///< [m^2]
+    double c = 0;     ///< [m/s]
+    double K_E = 0;   ///< [N/m]
+    double A_E = 0;   ///< [m^2]
+    double K_C = 0;   ///< [N/m]
+    double A_C = 0;   ///< [m^2]
+    double m = 0;     ///< [kg]
+};
+
+/// F_b of (16) and who made it; -1: nobody.
+struct Hit {
+    double force = 0; ///< [N]
+    std::int64_t particle = -1;
+};
+
+/// The wall of (28).
+struct WallMotion {
+    double u = 0; ///< [m]
+    double v = 0; ///< [m/s]
+};
+
+/// What is left of a particle's state after the collision of Fig. 1.
+struct Rebound {
+    Vec3 position; ///< [m]
+    Vec3 velocity; ///< [m/s]
+};
+
+using Inlet = decltype(Scenario::inlet);
+
+/// The scalar equations as one backend computes them, so that a check is written once for all. Arguments and
+/// units are those of the functions of the same names in reference/.
+class Equations
+{
+public:
+    Equations() = default;
+    virtual ~Equations() = default;
+    Equations(const Equations&) = delete;
+    Equations(Equations&&) = delete;
+    Equations& operator=(const Equations&) = delete;
+    Equations& operator=(Equations&&) = delete;
+
+    // Section 3.1: (1), the kernel of (4)-(6), the Laplacian of (7) with the support radius 2 h, (4), EOS;
+    // (15)
+    virtual Vec3 momentum_force(double rho, const Vec3& g, const Vec3& F_viscosity,
+                                const Vec3& F_pressure) const = 0;
+    virtual double kernel_value(KernelName name, double h, double r) const = 0;
+    virtual Vec3 kernel_gradient(KernelName name, double h, const Vec3& x) const = 0;
+    virtual double viscosity_laplacian(double h, double r) const = 0;
+    virtual double interpolate(KernelName name, double h, const Vec3& r,
+                               std::span<const Carrier> carriers) const = 0;
+    virtual double equation_of_state(double kappa, double rho, double rho_0) const = 0;
+    virtual Vec3 acceleration(double rho, const Vec3& force) const = 0;
+
+    // Section 3.2: (8)-(14), (16) and the criterion
+    virtual double wall_stress(double P, double R, double h) const = 0;
+    virtual double thickness_differential(double sigma, double h, double R, double dR) const = 0;
+    virtual double porosity_differential(double sigma, double R, double dR) const = 0;
+    virtual double stress_of_porosity(double Y, double phi) const = 0;
+    virtual double radius_per_pressure(double P, double R, double h, double Y, double sigma,
+                                       double phi) const = 0;
+    virtual double critical_pressure(double h, double R, double Y, double sigma, double phi) const = 0;
+    virtual Vec3 impulse_force(double m, const Vec3& v, double dt) const = 0;
+    virtual Hit impact_force(std::span<const std::int64_t> S, double m, std::span<const double> density,
+                             std::span<const Vec3> force) const = 0;
+    virtual bool ruptures(double F_b, double area, double P_c) const = 0;
+
+    // Section 3.3: (17)-(23)
+    virtual double net_wall_force(double F_B, double F_F, double F_P) const = 0;
+    virtual double tissue_force(const WallTissue& wall, double u_t) const = 0;
+    virtual double fiber_force(const WallTissue& wall, double epsilon) const = 0;
+    virtual double strain(double dR, double R) const = 0;
+    virtual double radius_increment(const WallTissue& wall, double F_B, double R, double dt) const = 0;
+    virtual double thickness_growing(double h, double R, double sigma, double dR) const = 0;
+    virtual double thickness_developed(double h, double alpha, double dR, double largest) const = 0;
+
+    // Section 3.4: (24)
+    virtual double daughter_radius(double r_0) const = 0;
+
+    // Section 3.5: (25)-(28) and Fig. 1
+    virtual double inlet_velocity(const Inlet& inlet, double t) const = 0;
+    virtual double outlet_pressure(double p_const, double rho_0, double v) const = 0;
+    virtual Vec3 outlet_pressure_force(double m_j, double rho_0, double p_const,
+                                       const Vec3& grad_W) const = 0;
+    virtual Vec3 wall_velocity() const = 0;
+    virtual WallMotion advance_elastic_wall(const WallMotion& wall, double F_fluid, double k, double m_wall,
+                                            double dt) const = 0;
+    virtual Rebound collide(const Vec3& position, const Vec3& velocity, double depth,
+                            const Vec3& n) const = 0;
+};
+
+/// In double; both backends' scalar equations are double in either precision.
+const Equations& reference_equations();
+const Equations& device_equations();
+
+} // namespace aneurysm::backends

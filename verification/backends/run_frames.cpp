@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/backends/run_frames.hpp"
+
+#include "common/error.hpp"
+#include "common/process/interrupt.hpp"
+
+#include <string>
+
+namespace aneurysm::backends
+{
+namespace
+{
+
+using output::RunDirectory;
+using output::RunStatus;
+
+class Loop
+{
+public:
+    Loop(const Scenario& scenario, std::int64_t frames, Backend& backend, RunDirectory& directory)
+        : scenario_(scenario), frames_(frames), backend_(backend), directory_(directory)
+    {
+    }
+
+    /// \return whether it came to the end; not when it was interrupted
+    bool run(const OnFrame& on_frame)
+    {
+        if (frame() == 0) {
+            write_particles(0);
+        }
+        while (frame() < frames_ && !InterruptWatch::interrupted()) {
+            const FrameRecord record = backend_.advance();
+            directory_.append(record, backend_.state());
+            write_due(record.frame);
+            on_frame(record);
+        }
+        save_state();
+        return frame() >= frames_;
+    }
+
+    /// The run has failed; keep what there is and say why. A second failure (the same full disk) must not
+    /// hide the first. A state whose row didn't make it into frames.csv is none to go on from; the checkpoint
+    /// before it is.
+    void save_failed(const std::string& message)
+    {
+        try {
+            if (frame() == directory_.frames()) {
+                save_state();
+            }
+        } catch (const Error&) { // NOLINT(bugprone-empty-catch)
+        }
+        try {
+            directory_.close(RunStatus::failed, message);
+        } catch (const Error&) { // NOLINT(bugprone-empty-catch)
+        }
+    }
+
+    std::int64_t frame() const { return backend_.state().frame; }
+
+private:
+    void save_state()
+    {
+        if (saved_frame_ != frame()) {
+            directory_.write_checkpoint(backend_.state());
+            saved_frame_ = frame();
+        }
+    }
+    void write_due(std::int64_t frame)
+    {
+        const auto due = [frame](std::int64_t every) { return every > 0 && frame % every == 0; };
+        if (due(scenario_.output.particles_every_frames)) {
+            write_particles(frame);
+        }
+        if (due(scenario_.output.checkpoint_every_frames)) {
+            save_state();
+        }
+    }
+    void write_particles(std::int64_t frame)
+    {
+        if (scenario_.output.particles_every_frames > 0) {
+            directory_.write_particles(frame, {backend_.state().particles, backend_.density()});
+        }
+    }
+
+    const Scenario& scenario_;
+    std::int64_t frames_;
+    Backend& backend_;
+    RunDirectory& directory_;
+    std::int64_t saved_frame_ = -1;
+};
+
+} // namespace
+
+bool run_frames(const Scenario& scenario, std::int64_t frames, Backend& backend, RunDirectory& directory,
+                const OnFrame& on_frame)
+{
+    Loop loop(scenario, frames, backend, directory);
+    bool complete = false;
+    try {
+        complete = loop.run(on_frame);
+    } catch (const Error& error) {
+        loop.save_failed(error.what());
+        throw;
+    }
+    directory.close(complete ? RunStatus::finished : RunStatus::interrupted,
+                    complete ? "" : "interrupted after frame " + std::to_string(loop.frame()));
+    return complete;
+}
+
+} // namespace aneurysm::backends

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/bounds/frame_bounds.hpp"
+
+#include "common/vessel/body_force.hpp"
+#include "reference/growth.hpp"
+#include "reference/incompressible.hpp"
+#include "reference/rupture.hpp"
+#include "verification/bounds/seam_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace aneurysm::bounds
+{
+
+using reference::FlowStage;
+using reference::FlowStep;
+using reference::Role;
+
+namespace
+{
+
+double smoothing_length(const Scenario& scenario, double dx)
+{
+    return scenario.kernel.smoothing_length_spacings * dx;
+}
+
+double particle_mass(const Scenario& scenario, double dx)
+{
+    const reference::Kernel W(scenario.kernel.function, smoothing_length(scenario, dx));
+    return scenario.fluid.density_kg_m3 / reference::lattice_kernel_sum(W, dx);
+}
+
+} // namespace
+
+FrameBounds::FrameBounds(const Scenario& scenario, const Vessel& vessel, double dx, const Rounding& rounding)
+    : scenario_(&scenario), rounding_(rounding),
+      kernel_(scenario.kernel.function, smoothing_length(scenario, dx)), wall_(vessel, scenario, rounding),
+      ghosts_(scenario, wall_, dx, kernel_.support(), particle_mass(scenario, dx), rounding),
+      openings_(scenario, wall_, dx, rounding), collisions_(wall_, dx, rounding),
+      record_(scenario, wall_, dx, rounding)
+{
+}
+
+void FrameBounds::begin(std::size_t particles)
+{
+    errors_.emplace(particles);
+    frame_ghosts_.reset();
+    breach_.reset();
+    record_.begin();
+    taken_pressure_.clear();
+}
+
+void FrameBounds::see(FlowStage stage, double t, const SimulationState& state, const reference::Wall& wall,
+                      const FlowStep* step)
+{
+    time_ = t;
+    switch (stage) {
+    case FlowStage::begun:
+        // A kind that rounding decides in one step makes the next step's sums undecided.
+        errors_->frame_open =
+            errors_->frame_open || errors_->exchange_open ||
+            std::ranges::any_of(errors_->other_kind, [](const auto& k) { return k.has_value(); });
+        begun_ = state;
+        if (!frame_ghosts_) {
+            frame_ghosts_ = ghosts_.at(wall);
+        }
+        break;
+    case FlowStage::driven:
+        openings_.drive(begun_, state, t, *errors_);
+        driven_ = state;
+        break;
+    case FlowStage::moved:
+        see_moved(state, wall, *step);
+        openings_.hold(state, t, *errors_);
+        break;
+    case FlowStage::held:
+        record_.add_collisions(collisions_.bound(state.particles, wall, *errors_));
+        break;
+    case FlowStage::collided:
+        last_ = state;
+        break;
+    case FlowStage::exchanged:
+        openings_.exchange(last_.particles, state.particles, *errors_);
+        last_ = state;
+        if (wall.breach) {
+            breach_ = wall.breach->center;
+        }
+        break;
+    }
+}
+
+/// Frame number times dt, the sine's argument and the sine: 8 roundings to double on each side, as in (25).
+BodyForce FrameBounds::body_force() const
+{
+    const Vec3& g = scenario_->fluid.gravity_m_s2;
+    const double T = scenario_->fluid.gravity_cycle_s;
+    if (!(T > 0)) {
+        return {g, 0};
+    }
+    const double in_double = 2 * 8 * 0x1p-53 * length(g) * (2 * std::numbers::pi / T * time_ + 1);
+    return {body_force_factor(*scenario_, time_) * g, rounding_.units(in_double)};
+}
+
+/// The sums of the step, then v and x' = x + dt v of all that move.
+void FrameBounds::see_moved(const SimulationState& state, const reference::Wall& wall, const FlowStep& step)
+{
+    const std::size_t count = state.particles.size();
+    reference::Bodies bodies = step.bodies;
+    const InexactGhosts& g = *frame_ghosts_;
+    bodies.position.resize(count);
+    bodies.position.insert(bodies.position.end(), g.ghosts.position.begin(), g.ghosts.position.end());
+    bodies.mass.resize(count);
+    bodies.mass.insert(bodies.mass.end(), g.ghosts.mass.begin(), g.ghosts.mass.end());
+    bodies.velocity.resize(bodies.size());
+    const bool slips = scenario_->domain.wall == WallCondition::slip;
+    bodies.role.resize(bodies.size(), slips ? Role::slip : Role::mirror);
+    BodyErrors in{errors_->position, errors_->velocity, std::vector<double>(count, state.particles.mass),
+                  errors_->outlet_velocity};
+    in.position.insert(in.position.end(), g.position_error.begin(), g.position_error.end());
+    in.velocity.resize(bodies.size(), 0);
+    in.mass.insert(in.mass.end(), g.mass_error.begin(), g.mass_error.end());
+    const reference::Period& box = wall_.vessel().period();
+    const StepBounds bounds(*scenario_, kernel_.smoothing_length(), box, body_force(), rounding_, step,
+                            bodies, driven_.particles.velocity, driven_, in);
+
+    const double dt = scenario_->time.frame_s / static_cast<double>(scenario_->time.substeps);
+    const bool eos = scenario_->pressure.model == PressureModel::eos;
+    const ParticleErrors before = *errors_;
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool free = step.bodies.free(i);
+        taken_pressure_.push_back(free ? step.pressure[i] : std::numeric_limits<double>::quiet_NaN());
+        errors_->density[i] = free ? bounds.density[i] : step.rho[i];
+        if (state.particles.kind[i] == Kind::reserve) {
+            continue;
+        }
+        if (free) {
+            errors_->velocity[i] = bounds.velocity[i];
+            errors_->pressure[i] = eos ? bounds.pressure[i] : 0;
+        }
+        const Vec3& x = state.particles.position[i];
+        const double way = dt * length(state.particles.velocity[i]);
+        errors_->position[i] += dt * errors_->velocity[i] + 2 * way + length(x);
+        errors_->position[i] += seam_error(x, way + rounding_.absolute(errors_->position[i]), box);
+    }
+    record_.add_step(state, step, wall, bounds, *errors_, before);
+}
+
+FrameRange FrameBounds::finish(const SimulationState& start, const SimulationState& end,
+                               const FrameRecord& record)
+{
+    if (breach_) {
+        openings_.recycle(last_.particles, end.particles, *breach_, kernel_.support(), *errors_);
+    }
+    FrameRange range;
+    record_.finish(record, *errors_, openings_.inlet_velocity(time_), range.low, range.high);
+    bound_wall(start, end, range);
+    errors_->frame_open = errors_->frame_open || range.rupture_open;
+    return range;
+}
+
+/// (21)-(23), (28), (13) and the criterion, by what F_b's range makes of them. Sums of positive terms and
+/// products: their units are counted.
+void FrameBounds::bound_wall(const SimulationState& start, const SimulationState& end,
+                             FrameRange& range) const
+{
+    const AneurysmState& before = start.aneurysm;
+    const AneurysmState& after = end.aneurysm;
+    AneurysmState& error = range.aneurysm_error;
+    const double F = 0.5 * (range.low.impact_force + range.high.impact_force);
+    const double F_error =
+        0.5 * (range.high.impact_force - range.low.impact_force) + rounding_.absolute(std::abs(F));
+    const auto absolute = [&](double units) { return rounding_.absolute(units); };
+    error.radius = absolute(2 * after.radius);
+    error.thickness = absolute(2 * after.thickness);
+    error.displacement = absolute(after.displacement);
+    error.wall_velocity = absolute(std::abs(after.wall_velocity));
+    const bool alive = before.phase != Phase::ruptured && end.frame > scenario_->growth.warm_up_frames &&
+                       scenario_->aneurysm.shape != SacShape::none;
+    if (alive) {
+        const auto& g = scenario_->growth;
+        const auto& wall = scenario_->elastic_wall;
+        const double dt = scenario_->time.frame_s;
+        const reference::WallTissue tissue{
+            g.tissue_density_kg_m3, g.tissue_area_m2,         g.wave_speed_m_s,   g.elastin_stiffness_n_m,
+            g.elastin_area_m2,      g.collagen_stiffness_n_m, g.collagen_area_m2, g.wall_mass_kg};
+        const double compliance = reference::radius_increment(tissue, 1, before.radius, dt);
+        const double dR_error = compliance * F_error + absolute(14 * compliance * F);
+        const double sigma = scenario_->rupture.poisson_ratio;
+        error.radius += dR_error;
+        error.thickness +=
+            before.thickness * (sigma / before.radius + g.thinning_intensity_per_m) * dR_error +
+            absolute(6 * before.thickness);
+        const double push = std::abs(F) + wall.stiffness_n_m * std::abs(before.displacement);
+        error.wall_velocity += dt / wall.mass_kg * (F_error + absolute(5 * push));
+        error.displacement += dt * error.wall_velocity + absolute(2 * dt * std::abs(after.wall_velocity) +
+                                                                  std::abs(before.displacement));
+    }
+    const double P = end.aneurysm.radius > 0 ? range.low.critical_pressure : 0;
+    const double P_error =
+        P * (error.thickness / after.thickness + error.radius / after.radius) + absolute(16 * P);
+    const double area = scenario_->rupture.conversion_area_m2;
+    range.rupture_open = alive && std::abs(F / area - P) <= F_error / area + P_error + absolute(2 * P);
+    const auto widen = [&range](double FrameRecord::*member, double by) {
+        range.low.*member -= by;
+        range.high.*member += by;
+    };
+    widen(&FrameRecord::radius, error.radius);
+    widen(&FrameRecord::thickness, error.thickness);
+    widen(&FrameRecord::displacement, error.displacement);
+    if (P > 0) {
+        widen(&FrameRecord::critical_pressure, P_error);
+    }
+}
+
+} // namespace aneurysm::bounds

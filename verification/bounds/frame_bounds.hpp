@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "reference/simulation.hpp"
+#include "verification/bounds/collision_bounds.hpp"
+#include "verification/bounds/ghost_bounds.hpp"
+#include "verification/bounds/opening_bounds.hpp"
+#include "verification/bounds/record_bounds.hpp"
+
+#include <optional>
+
+namespace aneurysm::bounds
+{
+
+/// Between which values the candidate's frame must lie.
+struct FrameRange {
+    FrameRecord low;
+    FrameRecord high;
+    AneurysmState aneurysm_error; ///< absolute, of its numbers
+    bool rupture_open = false;    ///< F_b is within rounding of P_c
+};
+
+/// Watches the reference make one frame and bounds how far a candidate that makes the same frame from the
+/// same bits can be from it by rounding alone.
+class FrameBounds final : public reference::FlowObserver
+{
+public:
+    FrameBounds(const Scenario& scenario, const Vessel& vessel, double dx, const Rounding& rounding);
+
+    /// Before each frame.
+    void begin(std::size_t particles);
+    void see(reference::FlowStage stage, double t, const SimulationState& state, const reference::Wall& wall,
+             const reference::FlowStep* step) override;
+    /// After it: `start` is the state that the frame began with.
+    FrameRange finish(const SimulationState& start, const SimulationState& end, const FrameRecord& record);
+
+    const ParticleErrors& errors() const { return *errors_; }
+    const std::vector<Hit>& hits() const { return record_.hits(); }
+    /// By flow step and particle: what the reference took as solution of (3) [Pa]; NaN where there is none.
+    const std::vector<double>& taken_pressure() const { return taken_pressure_; }
+
+private:
+    void see_moved(const SimulationState& state, const reference::Wall& wall,
+                   const reference::FlowStep& step);
+    BodyForce body_force() const;
+    void bound_wall(const SimulationState& start, const SimulationState& end, FrameRange& range) const;
+
+    const Scenario* scenario_;
+    Rounding rounding_;
+    reference::Kernel kernel_;
+    WallBounds wall_;
+    GhostBounds ghosts_;
+    OpeningBounds openings_;
+    CollisionBounds collisions_;
+    RecordBounds record_;
+    std::optional<ParticleErrors> errors_;
+    std::optional<InexactGhosts> frame_ghosts_;
+    SimulationState begun_;
+    SimulationState driven_;
+    SimulationState last_; ///< at the stage before
+    std::optional<Vec3> breach_;
+    double time_ = 0; ///< at the end of the step [s]
+    std::vector<double> taken_pressure_;
+};
+
+} // namespace aneurysm::bounds

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/bounds/record_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace aneurysm::bounds
+{
+namespace
+{
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The largest of a set whose members may be uncertain.
+struct Largest {
+    double low = -infinite;
+    double high = -infinite;
+
+    void add(double value, double error, Truth member)
+    {
+        if (member == Truth::yes) {
+            low = std::max(low, value - error);
+        }
+        if (member != Truth::no) {
+            high = std::max(high, value + error);
+        }
+    }
+};
+
+} // namespace
+
+RecordBounds::RecordBounds(const Scenario& scenario, const WallBounds& wall, double dx,
+                           const Rounding& rounding)
+    : scenario_(&scenario), wall_(&wall), dx_(dx), rounding_(rounding)
+{
+}
+
+void RecordBounds::begin()
+{
+    const RecordBounds fresh(*scenario_, *wall_, dx_, rounding_);
+    *this = fresh;
+}
+
+void RecordBounds::add_step(const SimulationState& state, const reference::FlowStep& step,
+                            const reference::Wall& wall, const StepBounds& bounds,
+                            const ParticleErrors& errors, const ParticleErrors& before)
+{
+    bound_density(state, step, bounds, before);
+    bound_motion(state, errors);
+    bound_solve(step, bounds);
+    bound_impact(state, wall, bounds, errors);
+}
+
+/// rho / rho_0 - 1 near the ends and elsewhere, by where the step began.
+void RecordBounds::bound_density(const SimulationState& state, const reference::FlowStep& step,
+                                 const StepBounds& bounds, const ParticleErrors& errors)
+{
+    const double rho_0 = scenario_->fluid.density_kg_m3;
+    const Inexact ends{-scenario_->vessel.radius_m, scenario_->vessel.radius_m};
+    Largest excess;
+    Largest deficit;
+    Largest at_ends;
+    excess.add(-1, 0, Truth::yes);
+    at_ends.add(-1, 0, Truth::yes);
+    deficit.add(-scenario_->pressure.blow_up_density_ratio, 0, Truth::yes);
+    double sum = 0;
+    double sum_error = 0;
+    double count = 0;
+    for (std::size_t i = 0; i < state.particles.size(); ++i) {
+        if (state.particles.kind[i] != Kind::fluid) {
+            continue;
+        }
+        const double ratio = step.rho[i] / rho_0;
+        const double units = bounds.density[i] / rho_0 + 2 * ratio + std::abs(ratio - 1);
+        const double error = rounding_.absolute(units);
+        const Truth near =
+            wall_->is_beyond_nearest(inexact(step.bodies.position[i], errors.position[i]), ends);
+        at_ends.add(ratio - 1, error, near);
+        excess.add(ratio - 1, error, !near);
+        deficit.add(1 - ratio, error, !near);
+        sum += std::max(ratio - 1, 0.0);
+        sum_error += units;
+        ++count;
+    }
+    density_max_ = {excess.low, excess.high};
+    density_min_ = {-deficit.high, -deficit.low};
+    density_ends_ = {at_ends.low, at_ends.high};
+    density_mean_ = rounding_.absolute((sum_error + (count + 2) * sum) / std::max(count, 1.0));
+}
+
+void RecordBounds::bound_motion(const SimulationState& state, const ParticleErrors& errors)
+{
+    const Particles& p = state.particles;
+    Largest speed;
+    speed.add(speed_.low, 0, Truth::yes);
+    double energy = 0;
+    double energy_error = 0;
+    double count = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] == Kind::fluid) {
+            const double v = length(p.velocity[i]);
+            const double units = errors.velocity[i] + 3 * v;
+            speed.add(v, rounding_.absolute(units), Truth::yes);
+            energy += 0.5 * p.mass * v * v;
+            energy_error += p.mass * v * units;
+            ++count;
+        }
+    }
+    speed_ = {speed.low, std::max(speed.high, speed_.high)};
+    kinetic_energy_ = rounding_.absolute(energy_error + (count + 5) * energy);
+}
+
+void RecordBounds::bound_solve(const reference::FlowStep& step, const StepBounds& bounds)
+{
+    double count = 0;
+    double divergence = 0;
+    double residual = 0;
+    divergence_max_ = 0;
+    residual_max_ = 0;
+    for (std::size_t i = 0; i < bounds.residual.size(); ++i) {
+        if (step.bodies.free(i)) {
+            divergence += bounds.divergence[i];
+            residual += bounds.residual[i];
+            divergence_max_ = std::max(divergence_max_, rounding_.absolute(bounds.divergence[i]));
+            residual_max_ = std::max(residual_max_, rounding_.absolute(bounds.residual[i]));
+            ++count;
+        }
+    }
+    // The rounding of the mean itself is added when its value is known.
+    divergence_mean_ = rounding_.absolute(divergence / std::max(count, 1.0));
+    residual_mean_ = rounding_.absolute(residual / std::max(count, 1.0));
+}
+
+/// S of (16) and its forces.
+void RecordBounds::bound_impact(const SimulationState& state, const reference::Wall& wall,
+                                const StepBounds& bounds, const ParticleErrors& errors)
+{
+    const Particles& p = state.particles;
+    const double band_width = scenario_->rupture.impact_band_spacings * dx_;
+    const Inexact band{-band_width, 2 * band_width};
+    const Inexact R = rounded(wall.radius);
+    Largest force;
+    Largest force_eos;
+    impact_certain_ = 0;
+    impact_possible_ = 0;
+    for (std::size_t i = 0; wall_->vessel().has_sac() && i < p.size(); ++i) {
+        // Three spacings further in no rounding matters.
+        if (p.kind[i] != Kind::fluid ||
+            wall_->vessel().wall(p.position[i], wall.radius).value < -band_width - 3 * dx_) {
+            continue;
+        }
+        const InexactVec x = inexact(p.position[i], errors.position[i]);
+        const Truth touches = is_positive(wall_->wall(x, R).value - band, rounding_);
+        const Truth member =
+            touches == Truth::no
+                ? touches
+                : touches && is_positive(wall_->tubes(x).value - wall_->sac(x, R).value, rounding_);
+        if (member == Truth::no) {
+            continue;
+        }
+        impact_certain_ += member == Truth::yes ? 1 : 0;
+        ++impact_possible_;
+        const InexactForce F = bounds.force(i);
+        force.add(F.dfsph.value, rounding_.absolute(F.dfsph.error), member);
+        force_eos.add(F.eos.value, rounding_.absolute(F.eos.error), member);
+        hits_.push_back({static_cast<std::int64_t>(i), F.dfsph});
+    }
+    if (impact_possible_ == 0) {
+        return;
+    }
+    // Nothing certain: F_b may be 0.
+    const Range step{std::max(force.low, 0.0), force.high};
+    const Range eos{std::max(force_eos.low, 0.0), force_eos.high};
+    impact_ =
+        impact_found_ ? Range{std::max(impact_.low, step.low), std::max(impact_.high, step.high)} : step;
+    impact_eos_ =
+        impact_found_ ? Range{std::min(impact_eos_.low, eos.low), std::max(impact_eos_.high, eos.high)} : eos;
+    impact_found_ = true;
+}
+
+void RecordBounds::add_collisions(const CollisionCounts& counts)
+{
+    collisions_.collisions_certain += counts.collisions_certain;
+    collisions_.collisions_possible += counts.collisions_possible;
+    collisions_.outside_certain = counts.outside_certain;
+    collisions_.outside_possible = counts.outside_possible;
+}
+
+void RecordBounds::finish(const FrameRecord& record, const ParticleErrors& errors,
+                          const Inexact& inlet_velocity, FrameRecord& low, FrameRecord& high) const
+{
+    low = record;
+    high = record;
+    const auto around = [&](double FrameRecord::*member, double error) {
+        low.*member = record.*member - error;
+        high.*member = record.*member + error;
+    };
+    const auto between = [&](double FrameRecord::*member, const Range& range) {
+        low.*member = range.low;
+        high.*member = range.high;
+    };
+    const auto n = static_cast<double>(record.active);
+    around(&FrameRecord::time, rounding_.absolute(2 * record.time));
+    around(&FrameRecord::inlet_velocity, rounding_.absolute(inlet_velocity.error));
+    around(&FrameRecord::outlet_velocity,
+           rounding_.absolute(errors.outlet_velocity[0] + errors.outlet_velocity[1] +
+                              2 * std::abs(record.outlet_velocity)));
+    around(&FrameRecord::density_error_mean, density_mean_);
+    between(&FrameRecord::density_error_max, density_max_);
+    between(&FrameRecord::density_error_min, density_min_);
+    between(&FrameRecord::density_error_max_ends, density_ends_);
+    around(&FrameRecord::divergence_mean, divergence_mean_ + rounding_.absolute(n * record.divergence_mean));
+    around(&FrameRecord::divergence_max, divergence_max_);
+    around(&FrameRecord::residual_mean, residual_mean_ + rounding_.absolute(n * record.residual_mean));
+    around(&FrameRecord::residual_max, residual_max_);
+    around(&FrameRecord::kinetic_energy, kinetic_energy_);
+    between(&FrameRecord::speed_max, speed_);
+    between(&FrameRecord::impact_force, impact_);
+    between(&FrameRecord::impact_force_eos, impact_eos_);
+    low.impact_count = impact_certain_;
+    high.impact_count = impact_possible_;
+    low.collisions = collisions_.collisions_certain;
+    high.collisions = collisions_.collisions_possible;
+    low.outside = collisions_.outside_certain;
+    high.outside = collisions_.outside_possible;
+    const Ledger& other = errors.other_counts;
+    for (const auto count : {&Ledger::inlet_out, &Ledger::outlet_out, &Ledger::escaped, &Ledger::recycled}) {
+        low.ledger.*count -= other.*count;
+        high.ledger.*count += other.*count;
+    }
+    const std::int64_t blood = other.inlet_out + other.outlet_out + other.escaped;
+    low.fluid -= blood;
+    high.fluid += blood;
+    low.active -= other.recycled;
+    high.active += other.recycled;
+}
+
+} // namespace aneurysm::bounds

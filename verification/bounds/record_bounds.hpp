@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "reference/flow.hpp"
+#include "verification/bounds/collision_bounds.hpp"
+#include "verification/bounds/particle_errors.hpp"
+#include "verification/bounds/step_bounds.hpp"
+
+#include <vector>
+
+namespace aneurysm::bounds
+{
+
+/// A particle that may be in S of (16), and its force.
+struct Hit {
+    std::int64_t particle = -1;
+    Inexact force; ///< [N]
+};
+
+/// Between which numbers the candidate's record of a frame must lie, given the reference's. Largest and
+/// smallest values over a set lie between those over its certain members and those over its possible ones.
+class RecordBounds
+{
+public:
+    RecordBounds(const Scenario& scenario, const WallBounds& wall, double dx, const Rounding& rounding);
+
+    void begin();
+    /// `state`: at stage `moved`, with `errors`; `before`: the errors with which the step began.
+    void add_step(const SimulationState& state, const reference::FlowStep& step, const reference::Wall& wall,
+                  const StepBounds& bounds, const ParticleErrors& errors, const ParticleErrors& before);
+    void add_collisions(const CollisionCounts& counts);
+
+    /// The bounds, once the reference has made its record; what the wall makes of F_b is not in it yet.
+    void finish(const FrameRecord& record, const ParticleErrors& errors, const Inexact& inlet_velocity,
+                FrameRecord& low, FrameRecord& high) const;
+    /// Who may have made F_b, of all steps of the frame.
+    const std::vector<Hit>& hits() const { return hits_; }
+
+private:
+    struct Range {
+        double low = 0;
+        double high = 0;
+    };
+    void bound_density(const SimulationState& state, const reference::FlowStep& step,
+                       const StepBounds& bounds, const ParticleErrors& errors);
+    void bound_motion(const SimulationState& state, const ParticleErrors& errors);
+    void bound_solve(const reference::FlowStep& step, const StepBounds& bounds);
+    void bound_impact(const SimulationState& state, const reference::Wall& wall, const StepBounds& bounds,
+                      const ParticleErrors& errors);
+
+    const Scenario* scenario_;
+    const WallBounds* wall_;
+    double dx_;
+    Rounding rounding_;
+    // Absolute errors of the last step's numbers.
+    double density_mean_ = 0;
+    double divergence_mean_ = 0;
+    double divergence_max_ = 0;
+    double residual_mean_ = 0;
+    double residual_max_ = 0;
+    double kinetic_energy_ = 0;
+    Range density_max_;
+    Range density_min_;
+    Range density_ends_;
+    Range speed_;
+    Range impact_;
+    Range impact_eos_;
+    std::int64_t impact_certain_ = 0;
+    std::int64_t impact_possible_ = 0;
+    bool impact_found_ = false;
+    CollisionCounts collisions_;
+    std::vector<Hit> hits_;
+};
+
+} // namespace aneurysm::bounds

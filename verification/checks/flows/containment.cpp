@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fig. 1 and the breach: what holds the blood, and where it gets out.
+#include "common/scenario/shipped.hpp"
+#include "common/vessel/geometry.hpp"
+#include "verification/checks/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace aneurysm::checks
+{
+namespace
+{
+
+std::string frame(const FrameRecord& r)
+{
+    return "frame " + std::to_string(r.frame);
+}
+
+/// Of the wall's geometry: the artery that (24) makes of the scenario.
+Vessel vessel_of(const Scenario& s)
+{
+    return Vessel(s, s.vessel.radius_m / std::cbrt(2.0));
+}
+
+/// The wall of a frame is that of (21) and (28) from the frame before; it holds all blood until it ruptures.
+void containment(Probe& probe)
+{
+    Quantity& beyond = probe.quantity(
+        "distance of blood beyond the wall of radius R + u [m]", Source::rounding,
+        "gamma_64 of the place's size: the foot of the normal is found to that, and the distance is computed "
+        "again in double");
+    Quantity& outside = probe.quantity("particles that no normal led back", Source::exact,
+                                       "integers: none, a normal leads back to the wall");
+    Quantity& touching =
+        probe.quantity("frames in which blood was put back", Source::exact,
+                       "a claim: more than one, with the wall displaced; else nothing was held");
+    const Scenario s = shipped_scenario("quick");
+    const Vessel vessel = vessel_of(s);
+    const auto flow = probe.simulate(s);
+    std::int64_t held = 0;
+    for (int n = 0; n < 90; ++n) {
+        const AneurysmState wall = flow->state().aneurysm;
+        const FrameRecord r = flow->advance();
+        if (wall.phase == Phase::ruptured) {
+            break;
+        }
+        const double R = wall.radius + wall.displacement;
+        const Particles& p = flow->state().particles;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (p.kind[i] == Kind::fluid && vessel.between_openings(p.position[i])) {
+                beyond.within(std::max(0.0, vessel.wall(p.position[i], R).value), 0,
+                              probe.gamma(64) * (length(p.position[i]) + R), frame(r));
+            }
+        }
+        outside.equal(r.outside, 0, frame(r));
+        held += r.collisions > 0 && wall.displacement != 0 ? 1 : 0;
+    }
+    touching.holds(held > 1);
+}
+
+/// After the rupture blood leaves through the hole, and only there; it returns to the reserve when it is far
+/// away, or near an open end, and not before.
+void breach(Probe& probe)
+{
+    const char* of_place = "gamma_64 of the place's size and of the hole's and the wall's measures";
+    Quantity& hole = probe.quantity("how far beside the hole blood got out [m]", Source::rounding, of_place);
+    Quantity& wall =
+        probe.quantity("how far within the wall blood counts as escaped [m]", Source::rounding, of_place);
+    Quantity& held =
+        probe.quantity("distance of other blood beyond the wall [m]", Source::rounding, of_place);
+    Quantity& stays = probe.quantity("how far escaped blood is beyond the recycling distance [m]",
+                                     Source::rounding, of_place);
+    Quantity& returns = probe.quantity("how far recycled blood is within the recycling distance [m]",
+                                       Source::rounding, of_place);
+    Quantity& number = probe.quantity("blood that has escaped", Source::exact,
+                                      "integers: the particles that changed from blood to escaped");
+    Quantity& some = probe.quantity("escaped and recycled particles", Source::exact,
+                                    "a claim: there are some of both, else nothing was looked at");
+    Scenario s = shipped_scenario("quick");
+    s.growth.warm_up_frames = 5;
+    s.rupture.yield_limit_pa = 1; // ruptures at once
+    s.rupture.recycle_distance_radii = 0.8;
+    const double hole_radius = s.rupture.breach_radius_radii * s.vessel.radius_m;
+    const double far = s.rupture.recycle_distance_radii * s.vessel.radius_m;
+    const double support = 2 * s.kernel.smoothing_length_spacings;
+    const Vessel vessel = vessel_of(s);
+    const auto flow = probe.simulate(s);
+    const double reach = support * flow->state().spacing;
+    std::int64_t escaped = 0;
+    std::int64_t recycled = 0;
+    for (int n = 0; n < 70; ++n) {
+        const SimulationState before = flow->state();
+        const FrameRecord r = flow->advance();
+        if (before.aneurysm.phase != Phase::ruptured) {
+            continue;
+        }
+        const double R = before.aneurysm.radius + before.aneurysm.displacement;
+        const Vec3 center = vessel.dome(R);
+        const Particles& p = flow->state().particles;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const Vec3& x = p.position[i];
+            const double allowed = probe.gamma(64) * (length(x) + R + far);
+            const Kind from = before.particles.kind[i];
+            const double distance = length(x - center);
+            const double to_end = -vessel.openings().at(vessel.nearest_tube(x)).beyond(x);
+            if (from == Kind::fluid && p.kind[i] == Kind::escaped) {
+                ++escaped;
+                hole.within(std::max({0.0, std::hypot(x.x, x.z) - hole_radius, center.y - hole_radius - x.y}),
+                            0, allowed, frame(r));
+                wall.within(std::max(0.0, -vessel.wall(x, R).value), 0, allowed, frame(r));
+            } else if (p.kind[i] == Kind::fluid && vessel.between_openings(x)) {
+                held.within(std::max(0.0, vessel.wall(x, R).value), 0, allowed, frame(r));
+            }
+            if (p.kind[i] == Kind::escaped) {
+                stays.within(std::max({0.0, distance - far, reach - to_end}), 0, allowed, frame(r));
+            } else if (from == Kind::escaped && p.kind[i] == Kind::reserve) {
+                ++recycled;
+                returns.within(std::max(0.0, std::min(far - distance, to_end - reach)), 0, allowed, frame(r));
+            }
+        }
+        number.equal(r.ledger.escaped, escaped, frame(r));
+    }
+    some.holds(escaped > 0, "escaped");
+    some.holds(recycled > 0, "recycled");
+}
+
+} // namespace
+
+std::vector<Check> containment_checks()
+{
+    return {
+        {.id = "fig1_containment",
+         .level = Level::transient,
+         .equations = {"21", "28"},
+         .title = "the wall that holds the blood is the one that has grown and is displaced",
+         .oracles = {"distance to the wall in double"},
+         .scope = Scope::flows,
+         .run = containment},
+        {.id = "fig1_breach",
+         .level = Level::transient,
+         .equations = {},
+         .title =
+             "after the rupture blood leaves through the hole and nowhere else, and is recycled far from it",
+         .oracles = {"places in the hole by their definition"},
+         .scope = Scope::flows,
+         .run = breach},
+    };
+}
+
+} // namespace aneurysm::checks

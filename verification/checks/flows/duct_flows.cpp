@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Flows along channel and tube whose discrete answer is known: too slow to move anything, and as columns that
+// slide past one another.
+#include "analytic/lattice/lattice_duct_steps.hpp"
+#include "verification/checks/checks.hpp"
+#include "verification/checks/flows/laminar.hpp"
+
+#include <cmath>
+
+namespace aneurysm::checks
+{
+namespace
+{
+
+using analytic::Drive;
+using analytic::DuctModes;
+using analytic::DuctOperator;
+using analytic::Section;
+using analytic::SlidingDuct;
+
+constexpr double weak = 0x1p-60; ///< a force that moves nothing by a rounding [m/s^2]
+
+Quantity& placed(Probe& probe)
+{
+    return probe.quantity("particles in each column of the lattice", Source::exact,
+                          "integers: cells along the duct, and across it in a channel");
+}
+
+/// The largest coordinate, which places are rounded at [m].
+double extent(const Laminar& flow)
+{
+    return std::max(Laminar::width, 6 * flow.ratio * flow.dx());
+}
+
+/// Everything that one text of dt A u may differ by from another, over n steps.
+double allowed(const Probe& probe, const DuctOperator& A, const Laminar& flow, int n)
+{
+    const double each = probe.roundoff();
+    return analytic::step_uncertainty(A, flow.drive, flow.dt, n, each, 4 * each * extent(flow));
+}
+
+void frozen(Probe& probe)
+{
+    Quantity& place = placed(probe);
+    Quantity& velocity = probe.quantity(
+        "u/g of each particle, against its column's [s]", Source::rounding,
+        "in each step dt times the uncertainty of the couplings' sums on the flow, and the roundings of "
+        "v + dt (F/rho + g) and of the force's phase; the sum of all steps, or the largest times the bound "
+        "of the row "
+        "sums of |A^-1|, which is how long it lasts");
+    const auto cases = {Laminar{Section::channel, 8, 1, {weak, 0}, 0.009},
+                        Laminar{Section::channel, 16, 1, pulse(weak, 8), 0.002},
+                        Laminar{Section::channel, 12, 1.3, pulse(weak, 4), 0.004},
+                        Laminar{Section::pipe, 8, 1, {weak, 0}, 0.009},
+                        Laminar{Section::pipe, 8, 1.3, pulse(weak, 2), 0.009},
+                        Laminar{Section::pipe, 10, 1, pulse(weak, 4), 0.006}};
+    for (const Laminar& flow : cases) {
+        const DuctOperator A(flow.lattice());
+        const DuctModes modes(A);
+        LaminarFlow found(probe, flow, place);
+        for (const int steps : {1, 9, 50}) {
+            found.advance(steps);
+            const analytic::Profile expected = modes.after(flow.drive, flow.dt, found.steps());
+            const double bound = expected.error + allowed(probe, A, flow, found.steps());
+            found.for_each([&](std::size_t a, double v) {
+                velocity.within(v / weak, expected.value(static_cast<Eigen::Index>(a)) / weak, bound / weak,
+                                flow.name() + ", step " + std::to_string(found.steps()));
+            });
+        }
+    }
+}
+
+void time_order(Probe& probe)
+{
+    Quantity& place = placed(probe);
+    Quantity& order =
+        probe.quantity("observed order in dt, against that of the lattice [1]", Source::rounding,
+                       "p = log2(|u_dt - u_dt/2| / |u_dt/2 - u_dt/4|) with the columns' root mean squares, "
+                       "each difference known to "
+                       "the bounds of its two flows, 2/ln 2 times what that is of the smaller one");
+    Quantity& first =
+        probe.quantity("order in dt of the lattice, from dt/2, dt/4, dt/8 [1]", Source::truncation,
+                       "p - 1 tends to 0 with dt: what it is from dt, dt/2, dt/4");
+    for (const Section section : {Section::channel, Section::pipe}) {
+        for (const Drive& drive : {Drive{weak, 0}, pulse(weak, 4)}) {
+            const double t = 0.06;
+            std::vector<Eigen::VectorXd> found;
+            std::vector<Eigen::VectorXd> expected;
+            double bound = 0;
+            for (const int n : {8, 16, 32, 64}) {
+                const Laminar flow{section, 8, 1, drive, t / n};
+                const DuctOperator A(flow.lattice());
+                const auto profile = DuctModes(A).after(drive, flow.dt, n);
+                expected.push_back(profile.value);
+                if (n < 64) {
+                    LaminarFlow simulated(probe, flow, place);
+                    simulated.advance(n);
+                    found.push_back(simulated.profile());
+                    bound = std::max(bound, profile.error + allowed(probe, A, flow, n));
+                }
+            }
+            const auto p = [](const std::vector<Eigen::VectorXd>& u, std::size_t i) {
+                return std::log2((u[i] - u[i + 1]).norm() / (u[i + 1] - u[i + 2]).norm());
+            };
+            const double size = std::sqrt(static_cast<double>(expected[0].size()));
+            const std::string where = Laminar{section, 8, 1, drive, t / 8}.name();
+            order.within(p(found, 0), p(expected, 0),
+                         2 / std::log(2.0) * 2 * bound * size / (expected[1] - expected[2]).norm(), where);
+            first.within(p(expected, 1), 1, std::abs(p(expected, 0) - 1), where);
+            probe.note("observed order in dt, " + where, p(found, 0));
+        }
+    }
+}
+
+void sliding(Probe& probe)
+{
+    Quantity& place = placed(probe);
+    Quantity& velocity =
+        probe.quantity("u of each particle, against its sliding column's [m/s]", Source::rounding,
+                       "the roundings of each step, times its linearized successors with the worst signs: of "
+                       "the couplings' sums, of "
+                       "v + dt (F/rho + g), of the force's phase, and of the places");
+    Quantity& pressure = probe.quantity("iterations of the pressure solve", Source::exact,
+                                        "none: its tolerance is above all that sliding does to the density");
+    for (const Laminar& flow : {Laminar{Section::channel, 8, 1, {1, 0}, 0.0075},
+                                Laminar{Section::channel, 12, 1, pulse(6, 4), 0.004},
+                                Laminar{Section::pipe, 8, 1, {1, 0}, 0.0075}}) {
+        SlidingDuct expected(flow.lattice());
+        Scenario s = flow.scenario();
+        s.pressure.tolerance_per_s = s.pressure.max_tolerance_per_s = 1000;
+        LaminarFlow found(probe, flow, s, place);
+        for (const int steps : {1, 9, 90}) {
+            found.advance(steps);
+            for (int n = 0; n < steps; ++n) {
+                expected.step(flow.drive, flow.dt);
+            }
+            const double bound = expected.error(probe.roundoff(), extent(flow));
+            found.for_each([&](std::size_t a, double v) {
+                velocity.within(v, expected.velocity()(static_cast<Eigen::Index>(a)), bound,
+                                flow.name() + ", step " + std::to_string(found.steps()));
+            });
+        }
+        pressure.equal(found.iterations(), 0, flow.name());
+        probe.note("farthest slide, " + flow.name() + " [dx]",
+                   expected.slid().cwiseAbs().maxCoeff() / flow.dx());
+    }
+}
+
+} // namespace
+
+std::vector<Check> duct_flow_checks()
+{
+    const auto check = [](std::string_view id, std::string_view title, std::vector<std::string_view> oracles,
+                          void (*run)(Probe&)) {
+        return Check{.id = id,
+                     .level = Level::transient,
+                     .equations = {"27", "1", "5", "7", "15"},
+                     .title = title,
+                     .oracles = std::move(oracles),
+                     .scope = Scope::flows,
+                     .run = run};
+    };
+    return {
+        check("eq27_frozen_ducts", "slow flow along walls at rest is the lattice's, step by step",
+              {"eigenvectors of the columns' matrix", "the same steps in long double (oracle_duct_steps)"},
+              frozen),
+        check("eq27_time_order", "steps of (7) and (15) are of first order in dt",
+              {"closed form of the steps"}, time_order),
+        check("eq27_sliding_ducts", "fast flow along walls at rest is that of columns that slide",
+              {"sliding columns"}, sliding),
+    };
+}
+
+} // namespace aneurysm::checks

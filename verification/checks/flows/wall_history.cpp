@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: Apache-2.0
+// A whole run of data/scenarios/quick.json: warm-up, growth, rupture, bleeding. Given the impact force of
+// each frame, everything that happens to the wall follows exactly, and so do the bookkeeping and the inlet.
+#include "analytic/boundary.hpp"
+#include "analytic/growth.hpp"
+#include "analytic/rupture.hpp"
+#include "common/scenario/shipped.hpp"
+#include "common/vessel/geometry.hpp"
+#include "verification/checks/checks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace aneurysm::checks
+{
+namespace
+{
+
+std::string frame(const FrameRecord& r)
+{
+    return "frame " + std::to_string(r.frame);
+}
+
+/// A finished run, frame by frame.
+struct History {
+    Scenario scenario;
+    SimulationState start;
+    std::vector<FrameRecord> frames;
+
+    double R_0() const { return start.aneurysm.radius; }
+    double h_0() const { return start.aneurysm.thickness; }
+    std::int64_t warm_up() const { return scenario.growth.warm_up_frames; }
+    double largest_radius() const
+    {
+        return scenario.aneurysm.base_width_radii / 2 * scenario.vessel.radius_m;
+    }
+};
+
+History run(const Probe& probe, const Scenario& scenario, std::int64_t frames)
+{
+    const auto flow = probe.simulate(scenario);
+    History history{scenario, flow->state(), {}};
+    for (std::int64_t n = 0; n < frames; ++n) {
+        history.frames.push_back(flow->advance());
+    }
+    return history;
+}
+
+analytic::Resistance resistance(const Scenario& s)
+{
+    const auto& g = s.growth;
+    return {.m = g.wall_mass_kg,
+            .impedance = g.tissue_density_kg_m3 * g.tissue_area_m2 * g.wave_speed_m_s,
+            .stiffness =
+                g.elastin_stiffness_n_m * g.elastin_area_m2 + g.collagen_stiffness_n_m * g.collagen_area_m2};
+}
+
+void check_phases(Probe& probe, const History& run)
+{
+    Quantity& phase = probe.quantity(
+        "frames in the right phase", Source::exact,
+        "a claim: warm-up, growing, fully developed and ruptured follow from the number of the "
+        "frame, R and F_b against P_c");
+    Quantity& at_rest = probe.quantity("wall in the warm-up", Source::exact,
+                                       "bits: R, h and u keep their first values until the warm-up ends");
+    Quantity& start =
+        probe.quantity("R and h of frame 0 [m]", Source::rounding,
+                       "gamma_1, for either text: a ratio of the scenario times the artery's radius");
+    const double r_0 = run.scenario.vessel.radius_m;
+    const double R_0 = run.scenario.aneurysm.initial_radius_radii * r_0;
+    const double h_0 = run.scenario.rupture.thickness_ratio * r_0;
+    start.within(run.R_0(), R_0, rounding(2) * R_0, "R");
+    start.within(run.h_0(), h_0, rounding(2) * h_0, "h");
+    bool ruptured = false;
+    double R = run.R_0();
+    for (const FrameRecord& r : run.frames) {
+        if (r.frame <= run.warm_up()) {
+            phase.holds(r.phase == Phase::warm_up, frame(r));
+            at_rest.holds(r.radius == run.R_0() && r.thickness == run.h_0() && r.displacement == 0, frame(r));
+            continue;
+        }
+        const bool developed = R >= run.largest_radius();
+        ruptured = ruptured || r.impact_force / run.scenario.rupture.conversion_area_m2 > r.critical_pressure;
+        const Phase expected = ruptured    ? Phase::ruptured
+                               : developed ? Phase::fully_developed
+                                           : Phase::growing;
+        phase.holds(r.phase == expected, frame(r));
+        R = r.radius;
+    }
+    probe.quantity("the run ruptures", Source::exact, "a claim: else half of the phases were not looked at")
+        .holds(ruptured);
+}
+
+/// While the wall lives: (21), (22), (23), (13), (28) from the recorded impact forces.
+void check_wall(Probe& probe, const History& run)
+{
+    const Scenario& s = run.scenario;
+    const double dt = s.time.frame_s;
+    Quantity& radius = probe.quantity("growth of R in a frame [m]", Source::rounding,
+                                      "twice the oracle's bound, Higham's |A^-1| (|b - A x| + gamma_7 ...) "
+                                      "of its linear system, + u R of the addition; "
+                                      "or what is left to the largest radius");
+    Quantity& thickness = probe.quantity("thickness h, relative [1]", Source::rounding,
+                                         "each frame rounds five times: gamma_5n, the logarithms of the "
+                                         "oracle as often, and h/R sigma times the error of "
+                                         "the radii's differences, 2 u R each");
+    Quantity& pressure =
+        probe.quantity("critical pressure P_c, relative [1]", Source::rounding,
+                       "gamma_9 of the product, and gamma_9 of the oracle's 2 E h/((1 + sigma) R)");
+    Quantity& displacement = probe.quantity(
+        "displacement u of (28) [m]", Source::rounding,
+        "gamma_(20 + 4n) of the sum of |terms| of the oracle, dt^2/m F_j sin(k theta)/sin theta, n frames");
+    const double sigma = s.rupture.poisson_ratio;
+    const analytic::Wall wall{s.rupture.yield_limit_pa, sigma, s.rupture.porosity, run.R_0(), run.h_0(), 0};
+    const double omega = std::sqrt(s.elastic_wall.stiffness_n_m / s.elastic_wall.mass_kg);
+    const double theta = 2 * std::asin(omega * dt / 2);
+    double R = run.R_0();
+    double log_h = 0;
+    double lost = 0; // relative error of h by the differences of radii
+    std::vector<double> F;
+    Plot plot{"The wall's history", "frame", "h/h_0, R/R_0", false, false, {}};
+    Series found_h{"h/h_0", {}, {}, false};
+    Series predicted_h{"h/h_0 predicted", {}, {}, true};
+    Series found_R{"R/R_0", {}, {}, true};
+    for (const FrameRecord& r : run.frames) {
+        if (r.frame <= run.warm_up()) {
+            continue;
+        }
+        const auto step = analytic::backward_euler_from_rest(resistance(s), r.impact_force, R, dt);
+        const bool developed = R >= run.largest_radius();
+        const double growth = developed ? 0 : std::min(step.dR.value, run.largest_radius() - R);
+        radius.within(r.radius - R, growth, 2 * step.dR.error + 0x1p-52 * R, frame(r));
+        log_h += developed ? std::log1p(-s.growth.thinning_intensity_per_m *
+                                        std::min(step.dR.value, s.growth.largest_increment_m))
+                           : std::log1p(-sigma * (r.radius - R) / R);
+        lost += developed ? s.growth.thinning_intensity_per_m * 2 * step.dR.error : sigma * 0x1p-52;
+        R = r.radius;
+        F.push_back(r.impact_force);
+        const auto n = static_cast<double>(F.size());
+        thickness.within(r.thickness / run.h_0(), std::exp(log_h), 2 * rounding(5 * n + 8) + lost, frame(r));
+        const double P_c = 2 * wall.modulus() * r.thickness / ((1 + sigma) * r.radius);
+        pressure.within(r.critical_pressure / P_c, 1, 2 * rounding(9), frame(r));
+        double u = 0;
+        double terms = 0;
+        for (std::size_t j = 0; j < F.size(); ++j) {
+            const double k = n - static_cast<double>(j);
+            const double term = dt * dt / s.elastic_wall.mass_kg * F[j] / std::sin(theta);
+            u += term * std::sin(k * theta);
+            terms += std::abs(term);
+        }
+        displacement.within(r.displacement, u, rounding(20 + 4 * n) * terms, frame(r));
+        found_h.x.push_back(static_cast<double>(r.frame));
+        found_h.y.push_back(r.thickness / run.h_0());
+        predicted_h.x.push_back(static_cast<double>(r.frame));
+        predicted_h.y.push_back(std::exp(log_h));
+        found_R.x.push_back(static_cast<double>(r.frame));
+        found_R.y.push_back(R / run.R_0());
+        if (r.phase == Phase::ruptured) {
+            probe.note("frame of rupture", static_cast<double>(r.frame));
+            break;
+        }
+    }
+    plot.series = {predicted_h, found_h, found_R};
+    probe.plot(std::move(plot));
+}
+
+void wall_history(Probe& probe)
+{
+    const Scenario scenario = shipped_scenario("quick");
+    const History history = run(probe, scenario, 180);
+    check_phases(probe, history);
+    check_wall(probe, history);
+}
+
+/// A sac that is nearly fully developed: the switch from (22) to (23), and its cap.
+void developed_history(Probe& probe)
+{
+    Scenario scenario = shipped_scenario("quick");
+    scenario.aneurysm.initial_radius_radii = 0.999 * scenario.aneurysm.base_width_radii / 2;
+    scenario.growth.warm_up_frames = 20;
+    scenario.growth.largest_increment_m = 4e-5;
+    scenario.rupture.yield_limit_pa = 1e6; // holds
+    const History history = run(probe, scenario, 120);
+    check_wall(probe, history);
+    Quantity& phases = probe.quantity(
+        "frames of each phase", Source::exact,
+        "a claim: growing and fully developed frames are there, with increments above and below the cap");
+    std::int64_t growing = 0;
+    std::int64_t developed = 0;
+    std::int64_t capped = 0;
+    for (const FrameRecord& r : history.frames) {
+        growing += r.phase == Phase::growing ? 1 : 0;
+        developed += r.phase == Phase::fully_developed ? 1 : 0;
+        const double dR = analytic::backward_euler_from_rest(resistance(scenario), r.impact_force, r.radius,
+                                                             scenario.time.frame_s)
+                              .dR.value;
+        capped += r.phase == Phase::fully_developed && dR > scenario.growth.largest_increment_m ? 1 : 0;
+    }
+    phases.holds(growing > 0);
+    phases.holds(capped > 0 && capped < developed);
+}
+
+void bookkeeping(Probe& probe)
+{
+    Quantity& number = probe.quantity("particles in the artery", Source::exact,
+                                      "integers: those of frame 0, + in, - out, - escaped");
+    Quantity& total =
+        probe.quantity("all particles", Source::exact, "integers: the scenario's count in every frame");
+    Quantity& inlet = probe.quantity(
+        "inlet velocity [m/s]", Source::rounding,
+        "gamma_4 of the phase 2 pi t/T times v_0, gamma_4 of the velocity, and the oracle's own bound");
+    Quantity& entered = probe.quantity("blood that has just come in and has a pressure", Source::exact,
+                                       "integers: none; its ghost's pressure isn't its own");
+    const Scenario s = shipped_scenario("quick");
+    Quantity& reserve = probe.quantity("change of the reserve in a frame", Source::exact,
+                                       "integers: what was recycled, less what came in, each of which takes "
+                                       "one, plus what found none; frames "
+                                       "in which a slab turns inwards and is put back are left out");
+    const auto flow = probe.simulate(s);
+    const auto first = std::ranges::count(flow->state().particles.kind, Kind::fluid);
+    FrameRecord last;
+    last.inlet_velocity = 0;
+    for (int n = 0; n < 180; ++n) {
+        const std::vector<Kind> before = flow->state().particles.kind;
+        const std::array<double, 2> outlets = flow->state().outlet_velocity;
+        const FrameRecord r = flow->advance();
+        const Particles& p = flow->state().particles;
+        const auto turns = [&](std::size_t k) {
+            return outlets.at(k) >= 0 && flow->state().outlet_velocity.at(k) < 0;
+        };
+        if (!(last.inlet_velocity < 0 && r.inlet_velocity >= 0) && !turns(0) && !turns(1)) {
+            const Ledger& a = last.ledger;
+            const Ledger& b = r.ledger;
+            reserve.equal(std::ranges::count(p.kind, Kind::reserve) -
+                              std::ranges::count(before, Kind::reserve),
+                          b.recycled - a.recycled - (b.inlet_in - a.inlet_in) - (b.outlet_in - a.outlet_in) +
+                              (b.missed - a.missed),
+                          frame(r));
+        }
+        last = r;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (before[i] != Kind::fluid && p.kind[i] == Kind::fluid) {
+                entered.equal(p.pressure[i] < 0 ? 0 : 1, 0, frame(r));
+            }
+        }
+        const Ledger& l = r.ledger;
+        number.equal(r.fluid, first + l.inlet_in - l.inlet_out + l.outlet_in - l.outlet_out - l.escaped,
+                     frame(r));
+        total.equal(r.total, s.particles.count, frame(r));
+        const double t = static_cast<double>(r.frame) * s.time.frame_s;
+        const auto v =
+            analytic::waveform_velocity(s.inlet.waveform, s.inlet.peak_velocity_m_s, s.inlet.cycle_s, t);
+        const double phase = 2 * 3.15 * t / s.inlet.cycle_s;
+        inlet.within(r.inlet_velocity, v.value,
+                     v.error + rounding(4) * (phase + 1) * s.inlet.peak_velocity_m_s, frame(r));
+    }
+}
+
+/// (16): the largest force on a particle at the wall is its mass times its change of velocity in the frame,
+/// for those that the wall has not turned round.
+void impact(Probe& probe)
+{
+    const double u = probe.roundoff();
+    Quantity& force =
+        probe.quantity("F_b against m |dv|/dt of the particle that made it [N]", Source::rounding,
+                       "m/dt times gamma_4 of both velocities and gamma_60 of the acceleration's three "
+                       "parts, each of the size of F_b or of "
+                       "g, whose sum the frame rounds in another order");
+    Quantity& others =
+        probe.quantity("m |dv|/dt of the others in S, no larger than F_b [N]", Source::rounding,
+                       "as of F_b: m/dt gamma_4 of both velocities and gamma_60 of F_b and m g");
+    Quantity& members =
+        probe.quantity("particles in S beyond those whose place leaves no doubt", Source::exact,
+                       "integers: at least none, at most those that the wall has put back and those within "
+                       "32 u of a border");
+    const Scenario s = shipped_scenario("quick");
+    const Vessel vessel(s, s.vessel.radius_m / std::cbrt(2.0));
+    const double dt = s.time.frame_s;
+    const auto flow = probe.simulate(s);
+    SimulationState before = flow->state();
+    for (int n = 0; n < 100; ++n) {
+        const FrameRecord r = flow->advance();
+        const SimulationState after = flow->state();
+        const double R = before.aneurysm.radius + before.aneurysm.displacement;
+        const double m = after.particles.mass;
+        std::int64_t sure = 0;
+        std::int64_t doubtful = 0;
+        for (std::size_t i = 0; i < after.particles.size(); ++i) {
+            const Vec3& x = after.particles.position[i];
+            const Vec3& v = after.particles.velocity[i];
+            const Vec3 way = x - before.particles.position[i] - dt * v;
+            const bool untouched = length(way) <= 8 * u * (length(x) + dt * length(v));
+            const bool blood =
+                before.particles.kind[i] == Kind::fluid && after.particles.kind[i] == Kind::fluid;
+            const double band = s.rupture.impact_band_spacings * after.spacing;
+            const double margin = 32 * u * length(x);
+            const double to_wall = vessel.wall(x, R).value + band;
+            const double to_sac = vessel.tubes(x).value - vessel.sac(x, R).value;
+            if (before.particles.kind[i] == Kind::fluid && untouched && blood && to_wall > margin &&
+                to_sac > margin) {
+                ++sure;
+            } else if (before.particles.kind[i] == Kind::fluid &&
+                       (!untouched || !blood || std::min(to_wall, to_sac) > -margin)) {
+                doubtful += to_sac > -after.spacing ? 1 : 0; // at a tube's wall none is in S
+            }
+            if (!untouched || !blood || vessel.wall(x, R).value <= -band + margin ||
+                vessel.sac(x, R).value >= vessel.tubes(x).value - margin) {
+                continue;
+            }
+            const double F = m * length(v - before.particles.velocity[i]) / dt;
+            const double speeds = length(v) + length(before.particles.velocity[i]);
+            const double allowed = m / dt * probe.gamma(4) * speeds +
+                                   probe.gamma(60) * (r.impact_force + m * length(s.fluid.gravity_m_s2));
+            if (r.impact_particle == static_cast<std::int64_t>(i)) {
+                force.within(r.impact_force, F, allowed, frame(r));
+            } else {
+                others.within(std::max(F, r.impact_force), r.impact_force, allowed, frame(r));
+            }
+        }
+        const std::int64_t more = r.impact_count - sure;
+        members.equal(std::clamp<std::int64_t>(more, 0, doubtful), more, frame(r));
+        before = after;
+    }
+}
+
+} // namespace
+
+std::vector<Check> wall_history_checks()
+{
+    return {
+        {.id = "eq21_history",
+         .level = Level::transient,
+         .equations = {"13", "17", "18", "19", "20", "21", "22", "28"},
+         .title = "in a run to rupture the wall does what its impact forces say: radius, thickness, critical "
+                  "pressure, "
+                  "displacement, phases",
+         .oracles = {"linear system of (17)-(20) by elimination", "product of (22) by logarithms",
+                     "impulse response of (28)'s steps"},
+         .scope = Scope::flows,
+         .run = wall_history},
+        {.id = "eq23_history",
+         .level = Level::transient,
+         .equations = {"21", "22", "23", "13"},
+         .title = "a fully developed wall keeps its radius and thins by (23), up to its cap",
+         .oracles = {"linear system of (17)-(20) by elimination", "product of (23) by logarithms"},
+         .scope = Scope::flows,
+         .run = developed_history},
+        {.id = "eq25_bookkeeping",
+         .level = Level::transient,
+         .equations = {"25"},
+         .title = "no particle is lost or made, and the inlet moves as (25) says",
+         .oracles = {"integer balance", "GSL's sine"},
+         .scope = Scope::flows,
+         .run = bookkeeping},
+        {.id = "eq16_impact",
+         .level = Level::transient,
+         .equations = {"14", "15", "16"},
+         .title = "the impact force is the largest mass times change of velocity at the sac's wall",
+         .oracles = {"momentum balance (14) of each particle"},
+         .scope = Scope::flows,
+         .run = impact},
+    };
+}
+
+} // namespace aneurysm::checks

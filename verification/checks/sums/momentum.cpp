@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// What particles do to one another gives nothing to all of them: momentum and angular momentum of a drop that
+// hangs in the middle of the periodic box, touching nothing.
+#include "analytic/kernel_function.hpp"
+#include "verification/checks/box.hpp"
+#include "verification/checks/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aneurysm::checks
+{
+namespace
+{
+
+constexpr int inside = 4; ///< particles along the drop's edge
+constexpr double neighbors = inside * inside * inside;
+
+/// Blood in the middle of the box, disturbed and moving together at `speed`; the rest waits in the reserve.
+Box drop(const Probe& probe, const Scenario& s, double speed)
+{
+    Box box(probe, s);
+    box.disturb(0.15, 0.05, 2441);
+    Particles& p = box.state().particles;
+    const double dx = s.domain.spacing_m;
+    const double middle = box.edge() / 2;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const Vec3 d = p.position[i] - Vec3{middle, middle, middle};
+        const bool kept = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) < inside / 2.0 * dx;
+        p.kind[i] = kept ? Kind::fluid : Kind::reserve;
+        p.velocity[i] = kept ? p.velocity[i] - speed / (inside * dx) * d : Vec3{};
+        p.pressure[i] = 0;
+    }
+    return box;
+}
+
+/// Sums of the particles' changes of velocity, and of these across their places before the step.
+struct Change {
+    Vec3 momentum; ///< over the mass [m/s]
+    Vec3 angular;  ///< about the middle, over the mass [m^2/s]
+    double speeds = 0;
+    double reach = 0; ///< of the drop [m]
+};
+Change change(const Box& box, const SimulationState& after)
+{
+    Change sum;
+    const double middle = box.edge() / 2;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+        if (box.state().particles.kind[i] != Kind::fluid) {
+            continue;
+        }
+        const Vec3& v_0 = box.state().particles.velocity[i];
+        const Vec3& v = after.particles.velocity[i];
+        const Vec3 x = box.state().particles.position[i] - Vec3{middle, middle, middle};
+        const Vec3 dv = v - v_0;
+        sum.momentum += dv;
+        sum.angular += Vec3{x.y * dv.z - x.z * dv.y, x.z * dv.x - x.x * dv.z, x.x * dv.y - x.y * dv.x};
+        sum.speeds += length(v) + length(v_0);
+        sum.reach = std::max(sum.reach, length(x));
+    }
+    return sum;
+}
+
+void pressure(Probe& probe)
+{
+    Scenario s = box_scenario();
+    s.fluid.viscosity_pa_s = 0;
+    s.pressure.tolerance_per_s = 1e-3;
+    s.pressure.density_correction = 0.5;
+    Quantity& momentum = probe.quantity("sum of the velocities' changes by the solve [m/s]", Source::rounding,
+                                        "gamma_2n, n = 64 particles, of the sum of |terms|, dt 2 p m/rho_0^2 "
+                                        "times the steepest slope for each pair, and "
+                                        "gamma_2 of the velocities; exactly the pairs cancel");
+    Quantity& angular =
+        probe.quantity("sum of places x changes [m^2/s]", Source::rounding,
+                       "the same times the drop's reach: the forces of (3) point along the pairs");
+    Quantity& works = probe.quantity("iterations of the solve", Source::exact,
+                                     "a claim: at least one, else there would be nothing to cancel");
+    const Box box = drop(probe, s, 1);
+    const auto flow = probe.simulate(s, box.state());
+    works.holds(flow->advance().iterations > 0);
+    const Change sum = change(box, flow->state());
+    const double h = box.medium().lattice.h;
+    const double steepest = -analytic::kernel_slope(box.medium().lattice.kernel, h, 2 * h / 3);
+    const double rho_0 = s.fluid.density_kg_m3;
+    double terms = 0;
+    for (const double p : flow->solved_pressure()) {
+        terms += s.time.frame_s * 2 * std::max(p, 0.0) * box.medium().mass * neighbors * steepest /
+                 (rho_0 * rho_0);
+    }
+    const double allowed = probe.gamma(2 * neighbors) * terms + probe.gamma(2) * sum.speeds;
+    momentum.within(sum.momentum, {}, allowed);
+    angular.within(sum.angular, {}, 2 * sum.reach * allowed);
+}
+
+void viscosity(Probe& probe)
+{
+    Scenario s = box_scenario();
+    s.fluid.viscosity_pa_s = 16;
+    s.pressure.model = PressureModel::eos;
+    s.pressure.stiffness_m2_s2 = 0;
+    Quantity& momentum = probe.quantity(
+        "sum of the velocities' changes by friction [m/s]", Source::rounding,
+        "gamma_2n, n = 64 particles, of the sum of |terms|, dt mu m/rho^2 lap W(0) times the speeds of both "
+        "for each pair, and "
+        "gamma_2 of the velocities; exactly the pairs cancel, since m_i/rho_i m_j/rho_j is that of j and i");
+    const Box box = drop(probe, s, 0.5);
+    const auto flow = probe.simulate(s, box.state());
+    flow->advance();
+    const Change sum = change(box, flow->state());
+    const double largest = analytic::viscosity_kernel_laplacian(2 * box.medium().lattice.h, 0);
+    const double rho = *std::ranges::min_element(flow->density());
+    const double terms = s.time.frame_s * s.fluid.viscosity_pa_s * box.medium().mass / (rho * rho) * largest *
+                         neighbors * 2 * sum.speeds;
+    momentum.within(sum.momentum, {}, probe.gamma(2 * neighbors) * terms + probe.gamma(2) * sum.speeds);
+    probe.note("angular momentum that friction takes, over the mass [m^2/s]", length(sum.angular),
+               "(7) acts along v_j - v_i, not along the pair: it does not conserve it");
+}
+
+} // namespace
+
+std::vector<Check> momentum_checks()
+{
+    return {
+        {.id = "eq03_momentum",
+         .level = Level::lattice,
+         .equations = {"3"},
+         .title = "the pressure solve gives a drop neither momentum nor angular momentum",
+         .oracles = {"Newton's third law", "central forces"},
+         .scope = Scope::flows,
+         .run = pressure},
+        {.id = "eq07_momentum",
+         .level = Level::lattice,
+         .equations = {"7", "15"},
+         .title = "friction gives a drop no momentum",
+         .oracles = {"Newton's third law"},
+         .scope = Scope::flows,
+         .run = viscosity},
+    };
+}
+
+} // namespace aneurysm::checks

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/comparison/ensemble.hpp"
+
+#include "reference/simulation.hpp"
+#include "verification/bounds/frame_bounds.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <numbers>
+#include <random>
+#include <thread>
+
+namespace aneurysm::comparison
+{
+namespace
+{
+
+/// Random numbers of one member, the same everywhere.
+class Disturbance
+{
+public:
+    explicit Disturbance(int member) : engine_(static_cast<std::uint64_t>(member)) {}
+
+    /// Uniform in [-bound, bound).
+    double number(double bound)
+    {
+        return bound * (std::ldexp(static_cast<double>(engine_() >> 11U), -52) - 1);
+    }
+    /// Within a ball of radius `bound`.
+    Vec3 vector(double bound)
+    {
+        const double edge = bound / std::numbers::sqrt3;
+        const double x = number(edge);
+        const double y = number(edge);
+        return {x, y, number(edge)};
+    }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+/// By one ulp of the candidate's precision, up or down.
+void disturb_start(SimulationState& state, double unit, Disturbance& random)
+{
+    for (Vec3& x : state.particles.position) {
+        const Vec3 sign = random.vector(1);
+        const auto ulp = [unit](double a, double s) { return a + std::copysign(2 * unit * std::abs(a), s); };
+        x = {ulp(x.x, sign.x), ulp(x.y, sign.y), ulp(x.z, sign.z)};
+    }
+}
+
+/// Within what rounding does to the candidate in a frame. A fully developed radius is a constant.
+void disturb(SimulationState& state, const bounds::ParticleErrors& errors, const AneurysmState& wall,
+             double largest_radius, const bounds::Rounding& rounding, Disturbance& random)
+{
+    Particles& p = state.particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] != Kind::reserve) {
+            p.position[i] += random.vector(rounding.absolute(errors.position[i]));
+            p.velocity[i] += random.vector(rounding.absolute(errors.velocity[i]));
+        }
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        state.outlet_velocity.at(k) += random.number(rounding.absolute(errors.outlet_velocity.at(k)));
+    }
+    AneurysmState& a = state.aneurysm;
+    if (a.radius < largest_radius) {
+        a.radius = std::min(a.radius + random.number(wall.radius), largest_radius);
+    }
+    a.thickness += random.number(wall.thickness);
+    a.displacement += random.number(wall.displacement);
+    a.wall_velocity += random.number(wall.wall_velocity);
+}
+
+/// The solve of (3) stops when its residual is below the tolerance, and rounding moves the residual.
+void disturb_tolerances(reference::Simulation& simulation, const Scenario& scenario,
+                        const FrameRecord& record, const bounds::FrameRange& range, Disturbance& random)
+{
+    const auto disturbed = [&random](double tolerance, double bound) {
+        return std::max(tolerance + random.number(bound), 0.5 * tolerance);
+    };
+    simulation.set_tolerances(
+        disturbed(scenario.pressure.tolerance_per_s, range.high.residual_mean - record.residual_mean),
+        disturbed(scenario.pressure.max_tolerance_per_s, range.high.residual_max - record.residual_max));
+}
+
+/// Half the ranges of the numbers that are compared.
+FreeFrame one_frame_rounding(const bounds::FrameRange& range, const bounds::ParticleErrors& errors,
+                             const Particles& p, const bounds::Rounding& rounding)
+{
+    FreeFrame half;
+    for (const auto member : {&FrameRecord::impact_force, &FrameRecord::radius, &FrameRecord::thickness,
+                              &FrameRecord::critical_pressure, &FrameRecord::kinetic_energy}) {
+        half.record.*member = range.high.*member - range.low.*member;
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] == Kind::fluid) {
+            sum += p.mass * rounding.absolute(errors.velocity[i] + 2 * length(p.velocity[i]));
+        }
+    }
+    half.momentum = {sum, sum, sum};
+    return half;
+}
+
+FreeRun run_member(const Scenario& scenario, SimulationState start, const std::string& precision,
+                   std::int64_t frames, std::int64_t window, int member, const FrameDone& done)
+{
+    const double unit = bounds::unit_roundoff(precision);
+    const bounds::Rounding rounding(unit);
+    Disturbance random(member);
+    if (member > 0) {
+        disturb_start(start, unit, random);
+    }
+    reference::Simulation simulation(scenario, std::move(start));
+    bounds::FrameBounds bounds(scenario, simulation.vessel(), simulation.state().spacing, rounding);
+    FreeRun run;
+    for (std::int64_t n = 1; n <= frames; ++n) {
+        const SimulationState before = simulation.state();
+        bounds.begin(before.particles.size());
+        const FrameRecord record = simulation.advance({}, bounds);
+        const bounds::FrameRange range = bounds.finish(before, simulation.state(), record);
+        const Particles& p = simulation.state().particles;
+        run.frames.push_back({record, momentum(p)});
+        if (member == 0) {
+            run.rounding.push_back(one_frame_rounding(range, bounds.errors(), p, rounding));
+        } else {
+            SimulationState state = simulation.state();
+            disturb(state, bounds.errors(), range.aneurysm_error, simulation.vessel().largest_radius(),
+                    rounding, random);
+            simulation.restart(std::move(state));
+            disturb_tolerances(simulation, scenario, record, range, random);
+        }
+        if (n % window == 0) {
+            run.particles.push_back(p);
+        }
+        if (!done(record)) {
+            break;
+        }
+    }
+    return run;
+}
+
+} // namespace
+
+Vec3 momentum(const Particles& p)
+{
+    Vec3 sum;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] == Kind::fluid) {
+            sum += p.mass * p.velocity[i];
+        }
+    }
+    return sum;
+}
+
+std::vector<FreeRun> run_ensemble(const Scenario& scenario, const SimulationState& start,
+                                  const std::string& precision, std::int64_t frames, std::int64_t window,
+                                  int members, const FrameDone& done)
+{
+    std::vector<FreeRun> runs(static_cast<std::size_t>(members) + 1);
+    std::atomic<int> next = 0;
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto work = [&] {
+        for (int member = next++; member <= members; member = next++) {
+            try {
+                runs[static_cast<std::size_t>(member)] =
+                    run_member(scenario, start, precision, frames, window, member, done);
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                failure = failure ? failure : std::current_exception();
+                next = members + 1;
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+    const unsigned count =
+        std::clamp(std::thread::hardware_concurrency(), 1U, static_cast<unsigned>(members) + 1);
+    for (unsigned k = 0; k < count; ++k) {
+        threads.emplace_back(work);
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    if (failure) {
+        std::rethrow_exception(failure);
+    }
+    return runs;
+}
+
+} // namespace aneurysm::comparison

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "verification/backends/backend.hpp"
+#include "verification/comparison/comparison.hpp"
+#include "verification/comparison/lockstep.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace aneurysm::comparison
+{
+
+struct FreeRunSettings {
+    std::int64_t frames = 0;
+    int members = 8;           ///< of the ensemble, at least 3
+    int windows = 10;          ///< of equal length, over which quantities are averaged
+    double false_alarm = 1e-3; ///< probability that a correct candidate fails, all quantities and windows
+};
+
+/// The candidate and an ensemble of reference runs, all free from the same state.
+///
+/// Particles part: SPH flow is chaotic. What must agree is what averages: F_b, R, h, P_c, momentum and
+/// kinetic energy, each as a mean over windows, and the frame of rupture. If the candidate computes the same
+/// model, it is one more member of the ensemble; of each quantity it must lie in the interval that holds a
+/// further member of a normal sample but for the probability false_alarm / (quantities * windows)
+/// (Bonferroni), plus the one-frame rounding of the quantity itself.
+///
+/// For that the members must be disturbed as the candidate is, from the first frame on, also while their
+/// spread is still that of rounding. They start one ulp of the candidate's precision apart, and after every
+/// frame each particle's place and velocity, and the wall's state, are moved at random within the bound of
+/// what rounding does to the candidate in that frame: the bound of compare_lockstep. So are the tolerances of
+/// the solve of (3), by the rounding of its residual: one iteration more or less moves more than any rounding
+/// of a place. The bounds are worst cases, so early spreads are too wide rather than too narrow; late ones
+/// are the flow's own.
+///
+/// Distances between particles are only reported.
+/// \param candidate  at the state that all start from
+ComparisonResult compare_free(const Scenario& scenario, backends::Backend& candidate,
+                              const std::string& precision, const FreeRunSettings& settings,
+                              const AfterFrame& after_frame);
+
+} // namespace aneurysm::comparison

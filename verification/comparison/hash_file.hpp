@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/frame.hpp"
+#include "common/scenario/scenario.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace aneurysm::comparison
+{
+
+/// The columns of a file of recorded hashes, without the frame's number: the fields of hashes.csv, and
+/// `state`, the hash of everything.
+std::vector<std::string> hash_columns();
+/// 64-bit FNV-1a of each of them.
+std::vector<std::string> hashes_of(const SimulationState& state);
+
+/// Hashes that a run once had, by frame.
+struct RecordedHashes {
+    std::string scenario;      ///< its name
+    std::string scenario_hash; ///< of its text then; another text, say with a new key, can have the same bits
+    std::string precision;
+    std::map<std::int64_t, std::vector<std::string>> frames;
+};
+
+/// Where the hashes of a scenario file are kept: ../hashes/NAME.PRECISION.csv beside its folder. The bits of
+/// the reference are its own; its precision is called "reference".
+std::filesystem::path hash_file(const std::filesystem::path& scenario_file, const Scenario& scenario,
+                                const std::string& precision);
+
+/// CSV behind a comment that names scenario, the hash of its text, the precision and the version that made
+/// them.
+std::string to_csv(const RecordedHashes& hashes);
+
+/// \throws InputError that names file and line when the file isn't as it was written, or is of another
+/// scenario or precision
+RecordedHashes read_hashes(const std::filesystem::path& file, const std::string& scenario,
+                           const std::string& precision);
+
+} // namespace aneurysm::comparison

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/reproduction/context.hpp"
+
+#include "common/error.hpp"
+#include "common/process/subprocess.hpp"
+#include "common/scenario/shipped.hpp"
+#include "output/file.hpp"
+
+namespace aneurysm::reproduction
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Beyond the reach of any impact here [Pa].
+constexpr double unreachable_yield = 1e9;
+
+Json to_json(const PlotPanel& panel)
+{
+    Json series = Json::array();
+    for (const PlotSeries& s : panel.series) {
+        series.push_back({{"name", s.name}, {"x", s.x}, {"y", s.y}, {"style", s.style}, {"color", s.color}});
+    }
+    return {{"title", panel.title}, {"x_label", panel.x_label}, {"y_label", panel.y_label},
+            {"log_y", panel.log_y}, {"y_top", panel.y_top},     {"series", series}};
+}
+
+} // namespace
+
+fs::path Reproduction::folder(const std::string& id) const
+{
+    const fs::path folder = out / id;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) {
+        throw Error(folder.string(), "can't be made (" + error.message() + ")", "needed: a writable place");
+    }
+    return folder;
+}
+
+void Reproduction::write(const Section& section) const
+{
+    const fs::path where = folder(section.id);
+    output::write_atomically(where / (section.id + ".json"), reproduction::to_json(section).dump(2) + "\n");
+    int k = 0;
+    for (const ResultTable& table : section.tables) {
+        const std::string suffix = ++k == 1 ? "" : "_" + std::to_string(k);
+        output::write_atomically(where / (section.id + suffix + ".csv"), to_csv(table));
+    }
+}
+
+Picture plot(const fs::path& file, const std::string& caption, std::size_t columns,
+             const std::vector<PlotPanel>& panels)
+{
+    Json all = Json::array();
+    for (const PlotPanel& panel : panels) {
+        all.push_back(to_json(panel));
+    }
+    fs::path spec = file;
+    spec.replace_extension(".plot.json");
+    output::write_atomically(spec, Json{{"columns", columns}, {"panels", all}}.dump() + "\n");
+    const fs::path script = data_directory().parent_path() / "verification/reproduce/plot.py";
+    // Debian's matplotlib is that of Debian's python3, whatever else is first on the path.
+    run_program({"/usr/bin/python3", "-B", script.string(), spec.string(), file.string()},
+                "needed: Debian's python3-matplotlib");
+    return {file, caption};
+}
+
+void render(const std::vector<std::string>& words)
+{
+    std::vector<std::string> command{own_program("aneurysm-pictures"), "render"};
+    command.insert(command.end(), words.begin(), words.end());
+    run_program(command, "needed: the build target aneurysm-pictures, with Debian's libvtk9-dev and xvfb");
+}
+
+nlohmann::json read_data(const std::string& name)
+{
+    const fs::path file = data_directory() / name;
+    const std::vector<std::byte> bytes = output::read_bytes(file);
+    const auto* text = reinterpret_cast<const char*>(bytes.data()); // NOLINT
+    nlohmann::json json = nlohmann::json::parse(text, text + bytes.size(), nullptr, false);
+    if (json.is_discarded()) {
+        throw InputError(file.string(), "is no JSON", "needed: the file as it was shipped");
+    }
+    return json;
+}
+
+Scenario unbreakable(Scenario scenario)
+{
+    scenario.rupture.yield_limit_pa = unreachable_yield;
+    scenario.assumed["rupture.yield_limit_pa"] = "out of reach: what the wall does is worked out afterwards";
+    scenario.name += "_unbreakable";
+    return scenario;
+}
+
+Scenario with_seed(Scenario scenario, int seed)
+{
+    scenario.particles.seed = seed;
+    scenario.name += "_seed" + std::to_string(seed);
+    return scenario;
+}
+
+} // namespace aneurysm::reproduction

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one table or figure of the paper came to, as the page shows it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace aneurysm::reproduction
+{
+
+struct ResultTable {
+    std::string title;
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;
+};
+
+/// Something that the paper says in words, and what was found here.
+struct Claim {
+    std::string words;
+    bool holds = false;
+    std::string found; ///< the number that decides
+};
+
+struct Picture {
+    std::filesystem::path file; ///< PNG
+    std::string caption;
+};
+
+struct Section {
+    std::string id;    ///< table1 ... fig10
+    std::string title; ///< the paper's
+    std::vector<std::string> text{};
+    std::vector<ResultTable> tables{};
+    std::vector<Claim> claims{};
+    std::vector<Picture> pictures{};
+};
+
+/// A number in as few digits as tell it apart; "-" for a NaN.
+std::string number(double x, int digits = 4);
+/// How far a is from b, as in "-12 %".
+std::string percent_off(double a, double b);
+
+/// For programs.
+nlohmann::ordered_json to_json(const Section& section);
+/// RFC 4180.
+std::string to_csv(const ResultTable& table);
+/// One page that needs no other file.
+std::string page(const std::vector<Section>& sections, const std::string& command);
+
+} // namespace aneurysm::reproduction

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verification/reproduction/wall_history.hpp"
+
+#include "common/error.hpp"
+#include "common/vessel/geometry.hpp"
+#include "common/vessel/initial_state.hpp"
+#include "reference/bifurcation.hpp"
+#include "reference/deform.hpp"
+
+#include <limits>
+#include <string>
+
+namespace aneurysm::reproduction
+{
+namespace
+{
+
+AneurysmState first_wall(const Scenario& scenario)
+{
+    AneurysmState wall;
+    wall.radius = initial_radius(scenario);
+    wall.thickness = scenario.rupture.thickness_ratio * scenario.vessel.radius_m;
+    return wall;
+}
+
+} // namespace
+
+WallHistory wall_along(const Scenario& scenario, std::span<const FrameRecord> records)
+{
+    const Vessel vessel(scenario, reference::daughter_radius(scenario.vessel.radius_m));
+    // The elastic wall kept within its limit in the run; it has no part in what is asked here.
+    const reference::Deform deform(scenario, vessel.largest_radius(),
+                                   std::numeric_limits<double>::infinity());
+    WallHistory history;
+    AneurysmState wall = first_wall(scenario);
+    for (const FrameRecord& record : records) {
+        const double P_c = deform(wall, record.frame, record.impact_force);
+        if (wall.radius != record.radius) {
+            throw Error("frame " + std::to_string(record.frame),
+                        "R is " + std::to_string(wall.radius) + " m along the recorded impacts and " +
+                            std::to_string(record.radius) + " m in the run",
+                        "needed: a run without rupture, of a scenario that differs in its wall alone");
+        }
+        history.frames.push_back({wall.radius, wall.thickness, P_c, wall.phase});
+        if (!history.developed && wall.radius >= vessel.largest_radius()) {
+            history.developed = record.frame;
+        }
+        if (wall.phase == Phase::ruptured) {
+            history.rupture_frame = record.frame;
+            break;
+        }
+    }
+    return history;
+}
+
+} // namespace aneurysm::reproduction

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+// A check of the verification suite: what it is, and what it may do while it runs.
+#pragma once
+
+#include "analytic/gsl.hpp"
+#include "common/frame.hpp"
+#include "common/scenario/scenario.hpp"
+#include "verification/backends/backend.hpp"
+#include "verification/backends/formulas.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace aneurysm::suite
+{
+
+/// gamma_n = n u / (1 - n u): largest relative error of n roundings in a row, each at most u (Higham,
+/// Accuracy and Stability of Numerical Algorithms, lemma 3.1).
+constexpr double rounding(double n, double u = 0x1p-53)
+{
+    return n * u / (1 - n * u);
+}
+
+/// What an answer is checked against.
+enum class Level {
+    scalar,      ///< L0: single equations against closed forms and GSL
+    lattice,     ///< L1: SPH sums where the discrete answer is known
+    transient,   ///< L2: flows in time where the discrete answer is known
+    continuous,  ///< L3: continuous solutions, with the error predicted
+    metamorphic, ///< L4: the same run in other words, to the same bits
+    executors,   ///< L5: the backends against the reference
+};
+
+/// Where the bound of an error comes from.
+enum class Source {
+    exact,      ///< bits or integers: nothing is allowed
+    rounding,   ///< of the operations behind the number
+    truncation, ///< terms of a known expansion
+    quadrature, ///< GSL's own error estimate
+    solver,     ///< the tolerance that an iteration stops at
+    statistics, ///< a confidence interval
+};
+
+/// Ends a check at its first comparison that fails, see Quantity::first_failure_ends.
+class FirstFailure : public std::runtime_error
+{
+    using std::runtime_error::runtime_error;
+};
+
+/// One thing that a check compares, many times if need be: one line of the tolerance ledger.
+class Quantity
+{
+public:
+    /// Whether a comparison that fails throws FirstFailure: where a fault is planted, all that is asked is
+    /// whether any fails. Set it while no check runs.
+    static inline bool first_failure_ends = false;
+
+    /// `derivation`: how the bound follows, as a formula with its reason; never empty.
+    Quantity(std::string name, Source source, std::string derivation);
+
+    /// |value - expected| <= allowed; false for a NaN. `where` names the instance, for the report.
+    bool within(double value, double expected, double allowed, std::string_view where = {});
+    /// The same against an oracle that bounds its own error; `relative` is the candidate's.
+    bool within(double value, const analytic::Estimate& expected, double relative,
+                std::string_view where = {});
+    /// The components of vectors.
+    bool within(const Vec3& value, const Vec3& expected, double allowed, std::string_view where = {});
+    /// Whole numbers, and bits: nothing is allowed.
+    bool equal(std::int64_t value, std::int64_t expected, std::string_view where = {});
+    /// What a comparison of its own found: how many numbers, and the worst.
+    bool found(std::int64_t compared, std::int64_t failed, double error, double allowed,
+               std::string_view where);
+    /// A claim without a number.
+    bool holds(bool claim, std::string_view where = {});
+
+    /// The instance with the largest measured / allowed.
+    struct Worst {
+        double value = 0;
+        double expected = 0;
+        double error = 0;
+        double allowed = 0;
+        double ratio =
+            -1; ///< infinite where nothing is allowed and something was found; -1: nothing compared
+        std::string where;
+    };
+
+    const std::string& name() const { return name_; }
+    Source source() const { return source_; }
+    const std::string& derivation() const { return derivation_; }
+    std::int64_t compared() const { return compared_; }
+    std::int64_t failed() const { return failed_; }
+    const Worst& worst() const { return worst_; }
+    bool passed() const { return compared_ > 0 && failed_ == 0; }
+    /// Whether the bound is more than 1,000 times what was measured, and than one rounding of the number: it
+    /// may be looser than it need be.
+    bool loose() const;
+
+private:
+    /// `good`, unless the check ends here.
+    bool judged(bool good) const;
+
+    std::string name_;
+    Source source_;
+    std::string derivation_;
+    std::int64_t compared_ = 0;
+    std::int64_t failed_ = 0;
+    Worst worst_;
+};
+
+/// A curve of the report.
+struct Series {
+    std::string name;
+    std::vector<double> x;
+    std::vector<double> y;
+    bool line = false; ///< else points
+};
+struct Plot {
+    std::string title;
+    std::string x_label; ///< with its unit
+    std::string y_label;
+    bool log_x = false;
+    bool log_y = false;
+    std::vector<Series> series;
+};
+
+/// A number that is worth reading and has no bound.
+struct Note {
+    std::string name; ///< with its unit
+    double value = 0;
+    std::string remark;
+};
+
+/// Whose equations and frames a check looks at.
+struct Subject {
+    backends::BackendChoice choice;
+    const backends::Equations* equations = nullptr; ///< null: none of its own in this precision
+    double roundoff = 0x1p-53;                      ///< largest relative error of one rounding of its flow
+
+    /// "reference", "cpu double", ...
+    std::string name() const;
+};
+
+/// What a check gets to do its work with, and leaves its findings in.
+class Probe
+{
+public:
+    explicit Probe(const Subject& subject) : subject_(&subject) {}
+
+    const Subject& subject() const { return *subject_; }
+    const backends::Equations& equations() const { return *subject_->equations; }
+    double roundoff() const { return subject_->roundoff; }
+    /// gamma_n of the subject's flow.
+    double gamma(double n) const { return rounding(n, subject_->roundoff); }
+
+    /// A flow of the subject's. \throws InputError as make_backend does
+    std::unique_ptr<backends::Backend> simulate(const Scenario& scenario,
+                                                std::optional<SimulationState> state = {}) const;
+
+    /// A new line of the ledger; it stays valid as long as the probe.
+    Quantity& quantity(std::string name, Source source, std::string derivation);
+    void note(std::string name, double value, std::string remark = {});
+    void plot(Plot plot);
+    /// The check can't be done here; that is neither pass nor failure.
+    void not_run(std::string reason);
+
+    const std::deque<Quantity>& quantities() const { return quantities_; }
+    const std::vector<Note>& notes() const { return notes_; }
+    const std::vector<Plot>& plots() const { return plots_; }
+    const std::string& reason_not_run() const { return reason_; }
+
+private:
+    const Subject* subject_;
+    std::deque<Quantity> quantities_;
+    std::vector<Note> notes_;
+    std::vector<Plot> plots_;
+    std::string reason_;
+};
+
+/// Who a check is run for.
+enum class Scope {
+    equations, ///< each subject with equations of its own: they are the same in both precisions
+    flows,     ///< each subject
+    backends,  ///< each but the reference, which they are compared with
+    once,      ///< whoever: it checks oracles, or compares subjects itself
+};
+
+/// One row of the suite.
+struct Check {
+    std::string_view id; ///< eq13_pole, poiseuille_channel; words joined by _
+    Level level = Level::scalar;
+    std::vector<std::string_view> equations; ///< "1" to "28", "EOS"
+    std::string_view title;                  ///< what is true when it passes
+    std::vector<std::string_view> oracles;   ///< what it is compared with, independent ones apart
+    Scope scope = Scope::equations;
+    bool quick = true; ///< belongs to --quick, too
+    std::function<void(Probe&)> run;
+};
+
+} // namespace aneurysm::suite
