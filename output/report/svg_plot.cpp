@@ -32,7 +32,7 @@ std::string px(double x)
 std::string label(double x)
 {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.5g", x);
+    std::snprintf(text.data(), text.size(), "%.5g", x == 0 ? 0 : x); // -0 is 0
     return text.data();
 }
 
@@ -106,13 +106,13 @@ struct Axes {
     Axis x;
     Axis y;
 
-    bool show(const suite::Series& s, std::size_t k) const { return x.shows(s.x[k]) && y.shows(s.y[k]); }
+    bool show(const Series& s, std::size_t k) const { return x.shows(s.x[k]) && y.shows(s.y[k]); }
 };
 
-Axes axes_of(const suite::Plot& plot)
+Axes axes_of(const Plot& plot)
 {
     Axes axes{Axis(plot.log_x, left, right), Axis(plot.log_y, bottom, top)};
-    for (const suite::Series& s : plot.series) {
+    for (const Series& s : plot.series) {
         for (std::size_t k = 0; k < std::min(s.x.size(), s.y.size()); ++k) {
             if (axes.show(s, k)) {
                 axes.x.include(s.x[k]);
@@ -136,7 +136,7 @@ Markup text(double x, double y, const char* anchor, const std::string& content)
     return element("text", {{"x", px(x)}, {"y", px(y)}, {"text-anchor", anchor}}, content);
 }
 
-Markup frame(const suite::Plot& plot, const Axes& axes)
+Markup frame(const Plot& plot, const Axes& axes)
 {
     Markup result;
     for (const double x : axes.x.ticks()) {
@@ -171,7 +171,7 @@ Markup marker(std::size_t style, double x, double y)
                                   {"d", "M" + px(x - 3.5) + " " + px(y) + shapes.at(style)}});
 }
 
-Markup curve(const suite::Series& s, std::size_t style, const Axes& axes)
+Markup curve(const Series& s, std::size_t style, const Axes& axes)
 {
     std::string path;
     bool pen_down = false;
@@ -185,7 +185,7 @@ Markup curve(const suite::Series& s, std::size_t style, const Axes& axes)
                         : empty_element("path", {{"class", "curve s" + std::to_string(style)}, {"d", path}});
 }
 
-Markup points(const suite::Series& s, std::size_t style, const Axes& axes)
+Markup points(const Series& s, std::size_t style, const Axes& axes)
 {
     Markup result;
     for (std::size_t k = 0; k < std::min(s.x.size(), s.y.size()); ++k) {
@@ -196,7 +196,7 @@ Markup points(const suite::Series& s, std::size_t style, const Axes& axes)
     return result;
 }
 
-Markup legend(const suite::Series& s, std::size_t style, double y, const Axes& axes)
+Markup legend(const Series& s, std::size_t style, double y, const Axes& axes)
 {
     std::size_t hidden = 0;
     for (std::size_t k = 0; k < std::min(s.x.size(), s.y.size()); ++k) {
@@ -212,13 +212,13 @@ Markup legend(const suite::Series& s, std::size_t style, double y, const Axes& a
 
 } // namespace
 
-Markup svg(const suite::Plot& plot)
+Markup svg(const Plot& plot)
 {
     const Axes axes = axes_of(plot);
     Markup content = frame(plot, axes);
     double y = legend_top;
     for (std::size_t k = 0; k < plot.series.size(); ++k) {
-        const suite::Series& s = plot.series[k];
+        const Series& s = plot.series[k];
         const std::size_t style = k % styles;
         content << (s.line ? curve(s, style, axes) : points(s, style, axes)) << legend(s, style, y, axes);
         y += legend_line;

@@ -248,6 +248,13 @@ BOOST_AUTO_TEST_CASE(a_plot_has_ticks_at_any_range)
     }
 }
 
+BOOST_AUTO_TEST_CASE(ticks_below_and_above_0_have_a_plain_0)
+{
+    const std::string text = svg_of({"p", {-1, 1}, {-3, 3}});
+    BOOST_TEST(count(text, ">0<") == 2);
+    BOOST_TEST(count(text, ">-0<") == 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_point_lies_where_the_axes_say)
 {
     // Marks of s0 are circles that start 3.5 px left of their middle. Two decades with 4 % of air on both

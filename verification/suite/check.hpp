@@ -5,6 +5,7 @@
 #include "analytic/gsl.hpp"
 #include "common/frame.hpp"
 #include "common/scenario/scenario.hpp"
+#include "output/report/plot.hpp"
 #include "verification/backends/backend.hpp"
 #include "verification/backends/formulas.hpp"
 
@@ -21,6 +22,9 @@
 
 namespace aneurysm::suite
 {
+
+using report::Plot;
+using report::Series;
 
 /// gamma_n = n u / (1 - n u): largest relative error of n roundings in a row, each at most u (Higham,
 /// Accuracy and Stability of Numerical Algorithms, lemma 3.1).
@@ -113,22 +117,6 @@ private:
     std::int64_t compared_ = 0;
     std::int64_t failed_ = 0;
     Worst worst_;
-};
-
-/// A curve of the report.
-struct Series {
-    std::string name;
-    std::vector<double> x;
-    std::vector<double> y;
-    bool line = false; ///< else points
-};
-struct Plot {
-    std::string title;
-    std::string x_label; ///< with its unit
-    std::string y_label;
-    bool log_x = false;
-    bool log_y = false;
-    std::vector<Series> series;
 };
 
 /// A number that is worth reading and has no bound.
