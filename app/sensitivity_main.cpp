@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program `aneurysm-sensitivity`, which `aneurysm verify --sensitivity` hands over to: both backends with
-// places for planted faults.
+// places for mutants.
 #include "app/verify.hpp"
 #include "common/error.hpp"
 #include "common/process/interrupt.hpp"
@@ -26,31 +26,31 @@ constexpr int bad_input = 2;
 
 struct Options {
     std::filesystem::path out;
-    std::string faults = "all";
+    std::string mutants = "all";
     std::vector<std::string> only;
     bool full = false;
     int jobs = 0;
 };
 
 /// All of them, or those in an equation that one of these checks lists.
-std::vector<sensitivity::Fault> chosen_faults(const Options& options,
-                                              const std::vector<const suite::Check*>& checks)
+std::vector<sensitivity::Mutant> chosen_mutants(const Options& options,
+                                                const std::vector<const suite::Check*>& checks)
 {
-    if (options.faults != "all" && options.faults != "ci") {
-        throw InputError("--faults", "unknown (" + options.faults + ")", "allowed: all, ci");
+    if (options.mutants != "all" && options.mutants != "ci") {
+        throw InputError("--faults", "unknown (" + options.mutants + ")", "allowed: all, ci");
     }
-    std::vector<sensitivity::Fault> faults =
-        options.faults == "ci" ? sensitivity::daily_faults() : sensitivity::all_faults();
+    std::vector<sensitivity::Mutant> mutants =
+        options.mutants == "ci" ? sensitivity::daily_mutants() : sensitivity::all_mutants();
     if (!options.only.empty()) {
         std::set<std::string_view> listed;
         for (const suite::Check* check : checks) {
             listed.insert(check->equations.begin(), check->equations.end());
         }
-        std::erase_if(faults, [&](const sensitivity::Fault& f) {
+        std::erase_if(mutants, [&](const sensitivity::Mutant& f) {
             return !listed.contains(sensitivity::equation_of(f.place));
         });
     }
-    return faults;
+    return mutants;
 }
 
 sensitivity::SensitivityStudy run(const std::vector<const suite::Check*>& checks,
@@ -81,8 +81,8 @@ int sensitivity(const Options& options)
 {
     const std::vector<const suite::Check*> checks =
         suite::select(checks::all_checks(), options.full, options.only);
-    const sensitivity::StudyOptions study{.faults = chosen_faults(options, checks),
-                                          .daily = options.faults == "ci",
+    const sensitivity::StudyOptions study{.mutants = chosen_mutants(options, checks),
+                                          .daily = options.mutants == "ci",
                                           .jobs = threads_of(options.jobs)};
     make_report_directory(options.out);
     const std::string only = options.only.empty() ? "" : " --only " + joined(options.only);
@@ -109,7 +109,7 @@ int parse_and_run(int argc, char** argv)
     Options options;
     app.add_option("--out", options.out, "directory for the reports; must not exist, or be empty")
         ->required();
-    app.add_option("--faults", options.faults, "all; ci: 24 that take a minute")->capture_default_str();
+    app.add_option("--faults", options.mutants, "all; ci: 24 that take a minute")->capture_default_str();
     app.add_option("--only", options.only, "as of aneurysm verify")->delimiter(',');
     app.add_flag("--full", options.full, "with the checks that take minutes");
     app.add_option("--jobs", options.jobs, "processes at once; 0: as many as there are cores");

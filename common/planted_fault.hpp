@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included by common/fault.hpp where ANEURYSM_FAULTS is defined: the fault that is planted in this process,
+// Included by common/fault.hpp where ANEURYSM_FAULTS is defined: the mutant that is planted in this process,
 // and what it does to a value.
 #pragma once
 
@@ -15,10 +15,10 @@
 #include <type_traits>
 #include <utility>
 
-namespace aneurysm::faults
+namespace aneurysm::mutants
 {
 
-/// What kind of part of a formula a place is; it decides which kinds of fault make sense there.
+/// What kind of part of a formula a place is; it decides which kinds of mutant make sense there.
 enum class Part : std::uint8_t {
     term,      ///< of a sum; left out, it is 0
     vector,    ///< a term with three components
@@ -41,7 +41,7 @@ enum class Kind : std::uint8_t {
 /// Where the hook is.
 enum class Side : std::uint8_t { reference, device };
 
-struct Fault {
+struct Mutant {
     Place place = place_count; ///< place_count: none
     Side side = Side::reference;
     Kind kind = Kind::coefficient;
@@ -62,8 +62,8 @@ inline constexpr std::array<PlaceInfo, place_count> places{{
 #undef ANEURYSM_PLACE
 }};
 
-/// The one fault of this process; set it while nothing computes.
-inline Fault planted;
+/// The one mutant of this process; set it while nothing computes.
+inline Mutant planted;
 /// The places that have been computed with, by side.
 inline std::array<std::array<std::atomic<bool>, place_count>, 2> visited{};
 
@@ -89,18 +89,18 @@ T with_power(T x, double exponent)
     return static_cast<T>(std::copysign(std::pow(std::abs(wide), exponent), wide));
 }
 
-/// A number changed as `fault` says, but for the value before.
+/// A number changed as `mutant` says, but for the value before.
 template <std::floating_point T>
-T changed(const Fault& fault, T x)
+T changed(const Mutant& mutant, T x)
 {
-    const Part part = places[fault.place].part;
-    switch (fault.kind) {
+    const Part part = places[mutant.place].part;
+    switch (mutant.kind) {
     case Kind::coefficient:
-        return part == Part::nought ? static_cast<T>(fault.size) : scaled(x, 1 + fault.size);
+        return part == Part::nought ? static_cast<T>(mutant.size) : scaled(x, 1 + mutant.size);
     case Kind::sign:
         return -x;
     case Kind::power:
-        return with_power(x, 1 + fault.size);
+        return with_power(x, 1 + mutant.size);
     case Kind::dropped:
         return part == Part::factor ? T(1) : T(0);
     case Kind::off_by_one:
@@ -108,30 +108,30 @@ T changed(const Fault& fault, T x)
     }
     return x;
 }
-inline bool changed(const Fault& fault, bool holds)
+inline bool changed(const Mutant& mutant, bool holds)
 {
-    return fault.kind == Kind::sign ? !holds : fault.kind == Kind::dropped || holds;
+    return mutant.kind == Kind::sign ? !holds : mutant.kind == Kind::dropped || holds;
 }
 template <std::integral T>
-T changed(const Fault& fault, T count)
+T changed(const Mutant& mutant, T count)
 {
-    return fault.kind == Kind::off_by_one ? count - 1 : count;
+    return mutant.kind == Kind::off_by_one ? count - 1 : count;
 }
 template <Several T>
-T changed(const Fault& fault, T x)
+T changed(const Mutant& mutant, T x)
 {
     for (std::size_t l = 0; l < size_of<T>; ++l) {
-        x.v[l] = changed(fault, x.v[l]);
+        x.v[l] = changed(mutant, x.v[l]);
     }
     return x;
 }
 template <class T>
-Vec3T<T> changed(const Fault& fault, const Vec3T<T>& x)
+Vec3T<T> changed(const Mutant& mutant, const Vec3T<T>& x)
 {
-    if (fault.kind == Kind::power) {
+    if (mutant.kind == Kind::power) {
         return {x.z, x.x, x.y};
     }
-    return {changed(fault, x.x), changed(fault, x.y), changed(fault, x.z)};
+    return {changed(mutant, x.x), changed(mutant, x.y), changed(mutant, x.z)};
 }
 
 /// The value before `x`, when `previous` was the one of the call before.
@@ -178,14 +178,14 @@ T hooked(Side side, Place place, const T& x)
     return changed(planted, x);
 }
 
-} // namespace aneurysm::faults
+} // namespace aneurysm::mutants
 
 namespace aneurysm::reference
 {
 template <class T>
 constexpr T fault(Place place, const T& value)
 {
-    return std::is_constant_evaluated() ? value : faults::hooked(faults::Side::reference, place, value);
+    return std::is_constant_evaluated() ? value : mutants::hooked(mutants::Side::reference, place, value);
 }
 } // namespace aneurysm::reference
 
@@ -194,6 +194,6 @@ namespace aneurysm::device
 template <class T>
 constexpr T fault(Place place, const T& value)
 {
-    return std::is_constant_evaluated() ? value : faults::hooked(faults::Side::device, place, value);
+    return std::is_constant_evaluated() ? value : mutants::hooked(mutants::Side::device, place, value);
 }
 } // namespace aneurysm::device

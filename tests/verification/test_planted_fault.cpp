@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hook for planted faults, in a build that has it: each kind of fault does what it says, in one place of
+// The hook for mutants, in a build that has it: each kind of mutant does what it says, in one place of
 // one backend.
 #include "common/fault.hpp"
 #include "cuda/executor/lanes.hpp"
@@ -15,16 +15,16 @@
 #include <string>
 
 using namespace aneurysm;
-using faults::Fault;
-using faults::Kind;
-using faults::Part;
-using faults::planted;
-using faults::Side;
+using mutants::Kind;
+using mutants::Mutant;
+using mutants::Part;
+using mutants::planted;
+using mutants::Side;
 
 namespace
 {
 
-/// Plants a fault for its own lifetime.
+/// Plants a mutant for its own lifetime.
 class Plant
 {
 public:
@@ -41,7 +41,7 @@ public:
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(without_a_fault_nothing_changes)
+BOOST_AUTO_TEST_CASE(without_a_mutant_nothing_changes)
 {
     BOOST_TEST(reference::fault(eq22_radius, 0.4) == 0.4);
     const Plant elsewhere(eq22_thinning, Kind::coefficient, 0.5);
@@ -152,19 +152,19 @@ BOOST_AUTO_TEST_CASE(one_backend_at_a_time)
 
 BOOST_AUTO_TEST_CASE(what_is_computed_is_noticed)
 {
-    BOOST_TEST(!faults::visited[0][eq23_cap]);
+    BOOST_TEST(!mutants::visited[0][eq23_cap]);
     reference::thickness_developed(0.1, 1.1, 0.001, 0.01);
-    BOOST_TEST(faults::visited[0][eq23_cap]);
-    BOOST_TEST(!faults::visited[1][eq23_cap]);
+    BOOST_TEST(mutants::visited[0][eq23_cap]);
+    BOOST_TEST(!mutants::visited[1][eq23_cap]);
 }
 
 BOOST_AUTO_TEST_CASE(places_have_names_of_their_own)
 {
     std::set<std::string_view> names;
-    for (const faults::PlaceInfo& place : faults::places) {
+    for (const mutants::PlaceInfo& place : mutants::places) {
         BOOST_TEST(names.insert(place.name).second, place.name);
         BOOST_TEST(!place.text.empty());
     }
-    BOOST_TEST(faults::places[eq22_radius].name == "eq22_radius");
-    BOOST_CHECK(faults::places[fig1_outwards].part == Part::condition);
+    BOOST_TEST(mutants::places[eq22_radius].name == "eq22_radius");
+    BOOST_CHECK(mutants::places[fig1_outwards].part == Part::condition);
 }

@@ -34,7 +34,7 @@ bool stress_holds(suite::Probe& probe)
     return std::abs(probe.equations().wall_stress(1000, 0.4, 0.01) - 20000) < 1;
 }
 
-/// What these say of a fault in (8) is: it crashes, or never ends.
+/// What these say of a mutant in (8) is: it crashes, or never ends.
 void crash(suite::Probe& probe)
 {
     if (!stress_holds(probe)) {
@@ -75,17 +75,17 @@ sensitivity::SensitivityStudy run_study(const std::vector<suite::Check>& checks,
     return sensitivity::run_study(chosen, suite::make_subjects({"reference", "cpu"}), options);
 }
 
-constexpr sensitivity::Fault in_stress{eq08_force, sensitivity::Side::reference, faults::Kind::coefficient,
-                                       sensitivity::fault_size};
-constexpr sensitivity::Fault in_pole{eq13_radius, sensitivity::Side::device, faults::Kind::sign,
-                                     sensitivity::fault_size};
+constexpr sensitivity::Mutant in_stress{eq08_force, sensitivity::Side::reference, mutants::Kind::coefficient,
+                                        sensitivity::mutant_size};
+constexpr sensitivity::Mutant in_pole{eq13_radius, sensitivity::Side::device, mutants::Kind::sign,
+                                      sensitivity::mutant_size};
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(a_fault_is_found_by_the_check_that_looks_at_it)
+BOOST_AUTO_TEST_CASE(a_mutant_is_found_by_the_check_that_looks_at_it)
 {
     const std::vector<suite::Check> checks{check("stress", "8", stress), check("pole", "13", look_away)};
-    const sensitivity::SensitivityStudy study = run_study(checks, {.faults = {in_stress, in_pole}});
+    const sensitivity::SensitivityStudy study = run_study(checks, {.mutants = {in_stress, in_pole}});
     BOOST_REQUIRE(study.rows.size() == 2U);
     BOOST_TEST(study.rows[0].finder == "stress (reference)");
     BOOST_TEST(study.rows[0].message == "not within its bound: stress");
@@ -97,36 +97,37 @@ BOOST_AUTO_TEST_CASE(a_fault_is_found_by_the_check_that_looks_at_it)
     BOOST_TEST(!sensitivity::passed(study));
 }
 
-BOOST_AUTO_TEST_CASE(the_smallest_fault_is_that_of_the_bound)
+BOOST_AUTO_TEST_CASE(the_smallest_mutant_is_that_of_the_bound)
 {
     const std::vector<suite::Check> checks{check("stress", "8", stress)};
-    const sensitivity::SensitivityStudy study = run_study(checks, {.faults = {in_stress}});
+    const sensitivity::SensitivityStudy study = run_study(checks, {.mutants = {in_stress}});
     BOOST_TEST(sensitivity::passed(study));
     BOOST_REQUIRE(study.sights.size() == 2U);
     BOOST_TEST(study.sights[0].smallest > 1e-6);
     BOOST_TEST(study.sights[0].smallest <= 2e-6);
     BOOST_TEST(study.sights[0].place == eq08_force);
-    BOOST_TEST(study.sights[1].sees); // in cpu, where no fault of the study was: looked for by itself
+    BOOST_TEST(study.sights[1].sees); // in cpu, where no mutant of the study was: looked for by itself
     BOOST_TEST(study.sights[1].smallest == study.sights[0].smallest);
 }
 
 BOOST_AUTO_TEST_CASE(a_check_that_sees_nothing_fails_the_study)
 {
     const std::vector<suite::Check> checks{check("stress", "8", stress), check("pole", "13", look_away)};
-    const sensitivity::SensitivityStudy study = run_study(checks, {.faults = {in_stress}});
+    const sensitivity::SensitivityStudy study = run_study(checks, {.mutants = {in_stress}});
     BOOST_REQUIRE(sensitivity::blind(study).size() == 2U);
     BOOST_TEST(sensitivity::blind(study)[0]->check->id == "pole");
     BOOST_TEST(!sensitivity::passed(study));
 }
 
-BOOST_AUTO_TEST_CASE(a_crash_and_a_check_without_end_are_found_faults)
+BOOST_AUTO_TEST_CASE(a_crash_and_a_check_without_end_are_found_mutants)
 {
     const std::vector<suite::Check> crashing{check("crash", "8", crash)};
-    const sensitivity::SensitivityStudy crashed = run_study(crashing, {.faults = {in_stress}, .daily = true});
+    const sensitivity::SensitivityStudy crashed =
+        run_study(crashing, {.mutants = {in_stress}, .daily = true});
     BOOST_TEST(crashed.rows[0].message == "crashed with signal 6");
 
     const std::vector<suite::Check> hanging{check("hang", "8", hang)};
-    const sensitivity::SensitivityStudy hung = run_study(hanging, {.faults = {in_stress}, .daily = true});
+    const sensitivity::SensitivityStudy hung = run_study(hanging, {.mutants = {in_stress}, .daily = true});
     BOOST_TEST(hung.rows[0].message == "didn't end in time");
 }
 
@@ -136,44 +137,44 @@ BOOST_AUTO_TEST_CASE(a_check_that_is_red_by_itself_is_left_out_and_fails_the_stu
         check("stress", "8", stress), check("red", "8", [](suite::Probe& probe) {
             probe.quantity("q", suite::Source::exact, "never").holds(false);
         })};
-    const sensitivity::SensitivityStudy study = run_study(checks, {.faults = {in_stress}});
+    const sensitivity::SensitivityStudy study = run_study(checks, {.mutants = {in_stress}});
     BOOST_TEST(sensitivity::unusable(study).size() == 1U); // in both backends, for the same reason
     BOOST_TEST(!study.rows[0].survives());
     BOOST_CHECK(study.rows[0].cells[1] == sensitivity::Cell::unreached);
     BOOST_TEST(!sensitivity::passed(study));
 }
 
-BOOST_AUTO_TEST_CASE(each_equation_has_five_faults_in_each_backend)
+BOOST_AUTO_TEST_CASE(each_equation_has_five_mutants_in_each_backend)
 {
-    std::map<std::string, int> faults;
-    for (const sensitivity::Fault& fault : sensitivity::all_faults()) {
-        ++faults[sensitivity::name_of(fault.side) + " " + sensitivity::equation_of(fault.place)];
+    std::map<std::string, int> mutants;
+    for (const sensitivity::Mutant& mutant : sensitivity::all_mutants()) {
+        ++mutants[sensitivity::name_of(mutant.side) + " " + sensitivity::equation_of(mutant.place)];
     }
     for (const char* backend : {"reference", "cpu"}) {
         for (int n = 1; n <= 28; ++n) {
-            BOOST_TEST(faults[backend + (" " + std::to_string(n))] >= 5, backend << " " << n);
+            BOOST_TEST(mutants[backend + (" " + std::to_string(n))] >= 5, backend << " " << n);
         }
-        BOOST_TEST(faults[std::string(backend) + " EOS"] >= 5);
+        BOOST_TEST(mutants[std::string(backend) + " EOS"] >= 5);
     }
 }
 
-BOOST_AUTO_TEST_CASE(the_daily_faults_are_24_of_every_kind_in_both_backends)
+BOOST_AUTO_TEST_CASE(the_daily_mutants_are_24_of_every_kind_in_both_backends)
 {
-    const std::vector<sensitivity::Fault> all = sensitivity::all_faults();
+    const std::vector<sensitivity::Mutant> all = sensitivity::all_mutants();
     std::map<std::string, int> sides;
-    std::set<faults::Kind> kinds;
+    std::set<mutants::Kind> kinds;
     std::set<std::string> names;
     std::set<std::string> equations{"1", "15", "5", "6", "21"}; // through those that use or feed them
-    for (const sensitivity::Fault& fault : sensitivity::daily_faults()) {
+    for (const sensitivity::Mutant& mutant : sensitivity::daily_mutants()) {
         BOOST_TEST(std::ranges::any_of(all,
-                                       [&](const sensitivity::Fault& f) {
-                                           return sensitivity::name_of(f) == sensitivity::name_of(fault);
+                                       [&](const sensitivity::Mutant& f) {
+                                           return sensitivity::name_of(f) == sensitivity::name_of(mutant);
                                        }),
-                   sensitivity::name_of(fault));
-        ++sides[sensitivity::name_of(fault.side)];
-        kinds.insert(fault.kind);
-        names.insert(sensitivity::name_of(fault));
-        equations.insert(sensitivity::equation_of(fault.place));
+                   sensitivity::name_of(mutant));
+        ++sides[sensitivity::name_of(mutant.side)];
+        kinds.insert(mutant.kind);
+        names.insert(sensitivity::name_of(mutant));
+        equations.insert(sensitivity::equation_of(mutant.place));
     }
     BOOST_TEST(names.size() == 24U);
     BOOST_TEST(sides["reference"] == 12);
@@ -186,7 +187,7 @@ BOOST_AUTO_TEST_CASE(reports_name_what_went_unnoticed)
 {
     const std::vector<suite::Check> checks{check("stress", "8", stress), check("pole", "13", look_away)};
     const sensitivity::SensitivityReport report{
-        run_study(checks, {.faults = {in_stress, in_pole}}), "", "", "", "", 1};
+        run_study(checks, {.mutants = {in_stress, in_pole}}), "", "", "", "", 1};
     for (const std::string& text :
          {sensitivity::sensitivity_text(report), sensitivity::sensitivity_markdown(report),
           sensitivity::sensitivity_json(report)}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why some faults can't be found, and some checks can't be turned red.
+// Why some mutants can't be found, and some checks can't be turned red.
 #include "verification/sensitivity/sensitivity.hpp"
 
 #include <algorithm>
@@ -10,9 +10,9 @@ namespace aneurysm::sensitivity
 namespace
 {
 
-using faults::Kind;
+using mutants::Kind;
 
-/// One or both backends' formulas do the same with the fault as without.
+/// One or both backends' formulas do the same with the mutant as without.
 struct Equivalent {
     Place place;
     Kind kind;
@@ -41,11 +41,11 @@ constexpr std::array<Equivalent, 10> equivalents{{
 
 } // namespace
 
-std::string_view argument_for(const Fault& fault)
+std::string_view argument_for(const Mutant& mutant)
 {
     const auto* found = std::ranges::find_if(equivalents, [&](const Equivalent& e) {
-        return e.place == fault.place && e.kind == fault.kind &&
-               (fault.side == Side::reference ? e.in_reference : e.in_device);
+        return e.place == mutant.place && e.kind == mutant.kind &&
+               (mutant.side == Side::reference ? e.in_reference : e.in_device);
     });
     return found != equivalents.end() ? found->why : std::string_view{};
 }

@@ -13,15 +13,15 @@ namespace aneurysm::sensitivity
 /// A study and where it comes from.
 struct SensitivityReport {
     SensitivityStudy study{};
-    std::string selection; ///< which faults and checks, in words
+    std::string selection; ///< which mutants and checks, in words
     std::string command;   ///< that repeats it
     std::string date;      ///< in UTC
     std::string machine;
     int jobs = 1;
 };
 
-/// Faults of one equation, or of all.
-struct FaultTally {
+/// Mutants of one equation, or of all.
+struct MutantTally {
     std::string equation{}; ///< "(13)", "EOS", "Fig. 1", "3.4" or "all"
     std::string title{};
     int planted = 0;
@@ -29,16 +29,16 @@ struct FaultTally {
     int argued = 0;
 
     int unexplained() const { return planted - found - argued; }
-    void add(const FaultRow& row);
+    void add(const MutantRow& row);
 };
 /// By equation, in the paper's order, and all in the last.
-std::vector<FaultTally> tallies(const SensitivityStudy& study);
-FaultTally tally(const SensitivityStudy& study, Side side);
+std::vector<MutantTally> tallies(const SensitivityStudy& study);
+MutantTally tally(const SensitivityStudy& study, Side side);
 
-std::vector<const FaultRow*> survivors(const SensitivityStudy& study);
-/// Checks that no fault turned red.
+std::vector<const MutantRow*> survivors(const SensitivityStudy& study);
+/// Checks that no mutant turned red.
 std::vector<const Sight*> blind(const SensitivityStudy& study);
-/// Cases that are red or can't be run without any fault, those with the same reason together.
+/// Cases that are red or can't be run without any mutant, those with the same reason together.
 struct Unusable {
     std::string cases{}; ///< by commas
     std::string why{};

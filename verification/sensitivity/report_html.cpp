@@ -19,38 +19,38 @@ constexpr std::string_view matrix_style = R"css(
 .red { color: var(--good); font-weight: 700; } .green { color: var(--weak); }
 )css";
 
-using Rows = std::vector<const FaultRow*>;
+using Rows = std::vector<const MutantRow*>;
 
-/// A fault in both backends.
+/// A mutant in both backends.
 struct Pair {
-    const FaultRow* reference = nullptr;
-    const FaultRow* device = nullptr;
+    const MutantRow* reference = nullptr;
+    const MutantRow* device = nullptr;
 
-    const FaultRow& any() const { return reference != nullptr ? *reference : *device; }
+    const MutantRow& any() const { return reference != nullptr ? *reference : *device; }
 };
 
 std::vector<Pair> pairs_of(const SensitivityStudy& study, const std::string& equation)
 {
     std::vector<Pair> pairs;
-    for (const FaultRow& row : study.rows) {
-        if (equation_of(row.fault.place) != equation) {
+    for (const MutantRow& row : study.rows) {
+        if (equation_of(row.mutant.place) != equation) {
             continue;
         }
         const auto same = std::ranges::find_if(pairs, [&](const Pair& p) {
-            return p.any().fault.place == row.fault.place && p.any().fault.kind == row.fault.kind;
+            return p.any().mutant.place == row.mutant.place && p.any().mutant.kind == row.mutant.kind;
         });
         Pair& pair = same == pairs.end() ? pairs.emplace_back() : *same;
-        (row.fault.side == Side::reference ? pair.reference : pair.device) = &row;
+        (row.mutant.side == Side::reference ? pair.reference : pair.device) = &row;
     }
     return pairs;
 }
 
-bool is_tried(const FaultRow* row, std::size_t column)
+bool is_tried(const MutantRow* row, std::size_t column)
 {
     return row != nullptr && !row->cells.empty() && row->cells[column] >= Cell::green;
 }
 
-/// Checks that any of these faults was tried with.
+/// Checks that any of these mutants was tried with.
 std::vector<std::size_t> columns_of(const SensitivityStudy& study, const std::vector<Pair>& pairs)
 {
     std::vector<std::size_t> columns;
@@ -63,7 +63,7 @@ std::vector<std::size_t> columns_of(const SensitivityStudy& study, const std::ve
     return columns;
 }
 
-report::Markup sign(const FaultRow* row, std::size_t column)
+report::Markup sign(const MutantRow* row, std::size_t column)
 {
     const Cell cell = row == nullptr || row->cells.empty() ? Cell::unreached : row->cells[column];
     switch (cell) {
@@ -79,7 +79,7 @@ report::Markup sign(const FaultRow* row, std::size_t column)
     return " ";
 }
 
-report::Markup found_cell(const FaultRow* row)
+report::Markup found_cell(const MutantRow* row)
 {
     if (row == nullptr) {
         return suite::cell("–");
@@ -101,7 +101,7 @@ report::Markup matrix(const SensitivityStudy& study, const std::vector<Pair>& pa
     }
     report::Markup rows;
     for (const Pair& pair : pairs) {
-        report::Markup cells = suite::cell(words_of(pair.any().fault))
+        report::Markup cells = suite::cell(words_of(pair.any().mutant))
                                << found_cell(pair.reference) << found_cell(pair.device);
         for (const std::size_t k : columns) {
             cells << report::element("td", {{"class", "cell"}}, sign(pair.reference, k), " ",
@@ -125,7 +125,7 @@ report::Markup matrices(const SensitivityStudy& study)
             "reference, then cpu. ✗: the fault turned the check red, as it should. ○: the check stayed "
             "green. ·: not tried, since others had found it. Empty: the check doesn't compute with that "
             "place.");
-    for (const FaultTally& t : tallies(study)) {
+    for (const MutantTally& t : tallies(study)) {
         if (t.equation != "all") {
             const std::string id =
                 t.equation.front() == '(' ? t.equation.substr(1, t.equation.size() - 2) : t.equation;
@@ -139,7 +139,7 @@ report::Markup matrices(const SensitivityStudy& study)
 report::Markup tally_section(const SensitivityStudy& study)
 {
     report::Markup rows;
-    for (const FaultTally& t : tallies(study)) {
+    for (const MutantTally& t : tallies(study)) {
         rows << suite::row(
             suite::cell(t.equation), suite::cell(t.title), suite::number_cell(std::to_string(t.planted)),
             suite::number_cell(std::to_string(t.found)), suite::number_cell(std::to_string(t.argued)),
@@ -191,8 +191,8 @@ report::Markup remarks(const SensitivityStudy& study)
         left_out.emplace_back(u.cases, u.why);
     }
     std::vector<std::pair<std::string, std::string_view>> alive;
-    for (const FaultRow* r : survivors(study)) {
-        alive.emplace_back(name_of(r->fault).append(": ").append(words_of(r->fault)), r->argument);
+    for (const MutantRow* r : survivors(study)) {
+        alive.emplace_back(name_of(r->mutant).append(": ").append(words_of(r->mutant)), r->argument);
     }
     std::vector<std::pair<std::string, std::string_view>> unmoved;
     for (const Sight* s : blind(study)) {

@@ -10,7 +10,7 @@ namespace aneurysm::sensitivity
 namespace
 {
 
-output::Json json(const FaultRow& row, const SensitivityStudy& study)
+output::Json json(const MutantRow& row, const SensitivityStudy& study)
 {
     constexpr std::array names{"unreached", "untried", "green", "red"};
     output::Json checks = output::Json::object();
@@ -19,10 +19,10 @@ output::Json json(const FaultRow& row, const SensitivityStudy& study)
             checks[std::string(study.checks[k]->id)] = names.at(static_cast<std::size_t>(row.cells[k]));
         }
     }
-    return {{"fault", name_of(row.fault)},
-            {"equation", equation_of(row.fault.place)},
-            {"backend", name_of(row.fault.side)},
-            {"what", words_of(row.fault)},
+    return {{"fault", name_of(row.mutant)},
+            {"equation", equation_of(row.mutant.place)},
+            {"backend", name_of(row.mutant.side)},
+            {"what", words_of(row.mutant)},
             {"found_by", row.finder},
             {"message", row.message},
             {"argument", row.argument},
@@ -36,7 +36,7 @@ output::Json json(const Sight& sight)
         {"backend", name_of(sight.side)},
         {"sees_a_fault", sight.sees},
         {"smallest_coefficient_fault", sight.smallest > 0 ? output::Json(sight.smallest) : output::Json()},
-        {"place", sight.smallest > 0 ? output::Json(faults::places.at(sight.place).name) : output::Json()},
+        {"place", sight.smallest > 0 ? output::Json(mutants::places.at(sight.place).name) : output::Json()},
         {"argument", sight.argument}};
 }
 
@@ -64,13 +64,13 @@ output::Json list(const std::vector<Item>& items, const More&... more)
 std::string sensitivity_json(const SensitivityReport& report)
 {
     const SensitivityStudy& study = report.study;
-    const FaultTally all = tallies(study).back();
+    const MutantTally all = tallies(study).back();
     return output::json_text({{"verdict", verdict_of(study)},
                               {"planted", all.planted},
                               {"found", all.found},
                               {"argued", all.argued},
                               {"unexplained", all.unexplained()},
-                              {"fault_size", fault_size},
+                              {"fault_size", mutant_size},
                               {"selection", report.selection},
                               {"command", report.command},
                               {"date", report.date},

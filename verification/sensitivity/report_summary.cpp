@@ -10,22 +10,22 @@
 namespace aneurysm::sensitivity
 {
 
-void FaultTally::add(const FaultRow& row)
+void MutantTally::add(const MutantRow& row)
 {
     ++planted;
     found += row.survives() ? 0 : 1;
     argued += row.survives() && !row.argument.empty() ? 1 : 0;
 }
 
-std::vector<FaultTally> tallies(const SensitivityStudy& study)
+std::vector<MutantTally> tallies(const SensitivityStudy& study)
 {
-    std::map<std::string, FaultTally> by_id;
-    FaultTally all{.equation = "all"};
-    for (const FaultRow& row : study.rows) {
-        by_id[equation_of(row.fault.place)].add(row);
+    std::map<std::string, MutantTally> by_id;
+    MutantTally all{.equation = "all"};
+    for (const MutantRow& row : study.rows) {
+        by_id[equation_of(row.mutant.place)].add(row);
         all.add(row);
     }
-    std::vector<FaultTally> result;
+    std::vector<MutantTally> result;
     const auto take = [&](const std::string& id, const std::string& name, std::string_view title) {
         if (const auto found = by_id.find(id); found != by_id.end()) {
             result.push_back(found->second);
@@ -42,21 +42,21 @@ std::vector<FaultTally> tallies(const SensitivityStudy& study)
     return result;
 }
 
-FaultTally tally(const SensitivityStudy& study, Side side)
+MutantTally tally(const SensitivityStudy& study, Side side)
 {
-    FaultTally result{.equation = name_of(side)};
-    for (const FaultRow& row : study.rows) {
-        if (row.fault.side == side) {
+    MutantTally result{.equation = name_of(side)};
+    for (const MutantRow& row : study.rows) {
+        if (row.mutant.side == side) {
             result.add(row);
         }
     }
     return result;
 }
 
-std::vector<const FaultRow*> survivors(const SensitivityStudy& study)
+std::vector<const MutantRow*> survivors(const SensitivityStudy& study)
 {
-    std::vector<const FaultRow*> rows;
-    for (const FaultRow& row : study.rows) {
+    std::vector<const MutantRow*> rows;
+    for (const MutantRow& row : study.rows) {
         if (row.survives()) {
             rows.push_back(&row);
         }
@@ -126,7 +126,7 @@ std::string verdict_of(const SensitivityStudy& study)
 
 std::string headline(const SensitivityStudy& study)
 {
-    const FaultTally all = tallies(study).back();
+    const MutantTally all = tallies(study).back();
     const auto count = [](int n, const std::string& what) { return std::to_string(n).append(what); };
     std::string text = count(all.planted, " faults planted, one at a time: ") +
                        count(tally(study, Side::reference).planted, " in the reference, ") +
@@ -148,7 +148,7 @@ std::string smallest_of(const Sight* sight)
     }
     return sight->smallest > 0 ? suite::shown(sight->smallest)
                                      .append(" (")
-                                     .append(faults::places.at(sight->place).name)
+                                     .append(mutants::places.at(sight->place).name)
                                      .append(")")
            : sight->sees ? "none of its own"
                          : "blind";

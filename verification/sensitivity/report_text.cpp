@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `aneurysm verify --sensitivity` prints, and the same with all faults as Markdown.
+// What `aneurysm verify --sensitivity` prints, and the same with all mutants as Markdown.
 #include "output/build_info.hpp"
 #include "verification/sensitivity/report.hpp"
 
@@ -30,9 +30,9 @@ std::string remarks(const SensitivityStudy& study, const std::string& heading)
         text << "- " << u.cases << ": " << u.why << "\n";
     }
     head(!survivors(study).empty(), "Faults that no check finds");
-    for (const FaultRow* row : survivors(study)) {
-        text << "- " << name_of(row->fault) << " (" << words_of(row->fault) << "): " << reason(row->argument)
-             << "\n";
+    for (const MutantRow* row : survivors(study)) {
+        text << "- " << name_of(row->mutant) << " (" << words_of(row->mutant)
+             << "): " << reason(row->argument) << "\n";
     }
     head(!blind(study).empty(), "Checks that no fault turns red");
     for (const Sight* sight : blind(study)) {
@@ -59,7 +59,7 @@ std::string sensitivity_text(const SensitivityReport& report)
          << std::left << std::setw(10) << "equation" << std::right << std::setw(8) << "planted"
          << std::setw(8) << "found" << std::setw(8) << "argued" << std::setw(13) << "unexplained"
          << "\n";
-    for (const FaultTally& t : tallies(study)) {
+    for (const MutantTally& t : tallies(study)) {
         text << std::left << std::setw(10) << t.equation << std::right << std::setw(8) << t.planted
              << std::setw(8) << t.found << std::setw(8) << t.argued << std::setw(13) << t.unexplained()
              << "\n";
@@ -87,7 +87,7 @@ std::string sensitivity_markdown(const SensitivityReport& report)
          << report.machine << ", " << report.jobs << " processes, " << std::fixed << std::setprecision(0)
          << study.seconds << " s. Repeat it with `" << report.command << "`.\n\n"
          << "| equation | title | planted | found | argued | unexplained |\n|---|---|--:|--:|--:|--:|\n";
-    for (const FaultTally& t : tallies(study)) {
+    for (const MutantTally& t : tallies(study)) {
         text << "| " << t.equation << " | " << t.title << " | " << t.planted << " | " << t.found << " | "
              << t.argued << " | " << t.unexplained() << " |\n";
     }
@@ -100,8 +100,8 @@ std::string sensitivity_markdown(const SensitivityReport& report)
         }
     }
     text << remarks(study, "## ") << "\n## All faults\n\n| fault | what | first found by |\n|---|---|---|\n";
-    for (const FaultRow& row : study.rows) {
-        text << "| " << name_of(row.fault) << " | " << words_of(row.fault) << " | "
+    for (const MutantRow& row : study.rows) {
+        text << "| " << name_of(row.mutant) << " | " << words_of(row.mutant) << " | "
              << (row.survives() ? "-" : row.finder) << " |\n";
     }
     return text.str();

@@ -15,13 +15,13 @@ namespace
 {
 
 constexpr double grace_s = 3;    ///< CPU time that any trial may take [s]
-constexpr double patience = 3;   ///< and how many times what the case takes without a fault
-constexpr double costly_s = 0.2; ///< a case that takes longer isn't tried with every fault,
+constexpr double patience = 3;   ///< and how many times what the case takes without a mutant
+constexpr double costly_s = 0.2; ///< a case that takes longer isn't tried with every mutant,
 constexpr double dear_s = 1;     ///< and one that takes longer than this only until one is found
-constexpr int finest = 52;       ///< the smallest fault is 2^-52, one unit in the last place
+constexpr int finest = 52;       ///< the smallest mutant is 2^-52, one unit in the last place
 constexpr int coarsest = 0;      ///< and the largest 1
 
-/// Whether faults of `side` are first looked for with this subject.
+/// Whether mutants of `side` are first looked for with this subject.
 bool is_own(const Case& c, Side side)
 {
     return c.check->scope == suite::Scope::once ||
@@ -41,8 +41,8 @@ bool reaches(const BaselineCase& c, Side side, Place place)
 
 bool has_coefficient(Place place)
 {
-    using faults::Part;
-    const Part part = faults::places.at(place).part;
+    using mutants::Part;
+    const Part part = mutants::places.at(place).part;
     return part == Part::term || part == Part::vector || part == Part::factor || part == Part::nought;
 }
 
@@ -61,9 +61,9 @@ public:
             c.result = run_trial(c.what, std::nullopt, limit_s, turn);
             return c.what.name();
         });
-        share("fault", result_.rows, [this](FaultRow& row, Turn& turn) {
+        share("fault", result_.rows, [this](MutantRow& row, Turn& turn) {
             plant(row, turn);
-            return name_of(row.fault);
+            return name_of(row.mutant);
         });
         if (!options_.daily) {
             list_sights();
@@ -96,25 +96,25 @@ private:
         }
     }
 
-    static TrialResult tried(const BaselineCase& c, const Fault& fault, Turn& turn)
+    static TrialResult tried(const BaselineCase& c, const Mutant& mutant, Turn& turn)
     {
-        return run_trial(c.what, fault, grace_s + patience * c.result.seconds, turn);
+        return run_trial(c.what, mutant, grace_s + patience * c.result.seconds, turn);
     }
 
-    /// The cases that compute with the fault's place: first those that look at its backend and list its
+    /// The cases that compute with the mutant's place: first those that look at its backend and list its
     /// equation, then the backend's flows, then its others, then other backends' cases that use it, too;
     /// cheap ones first.
-    std::vector<const BaselineCase*> cases_for(const Fault& fault) const
+    std::vector<const BaselineCase*> cases_for(const Mutant& mutant) const
     {
         const auto rank = [&](const BaselineCase* c) {
-            const bool own = is_own(c->what, fault.side);
+            const bool own = is_own(c->what, mutant.side);
             const bool flow = c->what.check->level >= suite::Level::transient;
-            const int group = !own ? 3 : lists(*c->what.check, fault.place) ? 0 : flow ? 1 : 2;
+            const int group = !own ? 3 : lists(*c->what.check, mutant.place) ? 0 : flow ? 1 : 2;
             return std::tuple(group, c->result.seconds);
         };
         std::vector<const BaselineCase*> cases;
         for (const BaselineCase& c : result_.baseline) {
-            if (reaches(c, fault.side, fault.place)) {
+            if (reaches(c, mutant.side, mutant.place)) {
                 cases.push_back(&c);
             }
         }
@@ -128,42 +128,42 @@ private:
     }
 
     /// Whether a full study tries this case, found or not: all that look at the backend and list the
-    /// equation, and one flow. Costly ones are tried with one kind of fault only: those in coefficients,
+    /// equation, and one flow. Costly ones are tried with one kind of mutant only: those in coefficients,
     /// which are the hardest to see; a metamorphic relation, which holds whatever a coefficient is, with
     /// wrong powers. The dearest have their own turn, see look().
-    static bool is_wanted(const BaselineCase& c, const Fault& fault, bool flow_tried)
+    static bool is_wanted(const BaselineCase& c, const Mutant& mutant, bool flow_tried)
     {
         const bool flow = c.what.check->level >= suite::Level::transient;
-        const bool of_equation = lists(*c.what.check, fault.place) || (flow && !flow_tried);
+        const bool of_equation = lists(*c.what.check, mutant.place) || (flow && !flow_tried);
         const bool relation = c.what.check->level == suite::Level::metamorphic;
-        const faults::Kind kind = relation ? faults::Kind::power : faults::Kind::coefficient;
-        const bool affordable = c.result.seconds < costly_s || fault.kind == kind;
-        return is_own(c.what, fault.side) && of_equation && affordable && c.result.seconds < dear_s;
+        const mutants::Kind kind = relation ? mutants::Kind::power : mutants::Kind::coefficient;
+        const bool affordable = c.result.seconds < costly_s || mutant.kind == kind;
+        return is_own(c.what, mutant.side) && of_equation && affordable && c.result.seconds < dear_s;
     }
 
-    /// What else computes with the place is tried only as long as nothing has found the fault.
-    void plant(FaultRow& row, Turn& turn)
+    /// What else computes with the place is tried only as long as nothing has found the mutant.
+    void plant(MutantRow& row, Turn& turn)
     {
         row.cells.assign(result_.checks.size(), Cell::unreached);
         bool flow_tried = false;
-        for (const BaselineCase* c : cases_for(row.fault)) {
+        for (const BaselineCase* c : cases_for(row.mutant)) {
             Cell& cell = row.cells[column_of(c->what.check)];
             cell = std::max(cell, Cell::untried);
-            if (!row.survives() && (options_.daily || !is_wanted(*c, row.fault, flow_tried))) {
+            if (!row.survives() && (options_.daily || !is_wanted(*c, row.mutant, flow_tried))) {
                 continue;
             }
             flow_tried = flow_tried || c->what.check->level >= suite::Level::transient;
-            const TrialResult result = tried(*c, row.fault, turn);
+            const TrialResult result = tried(*c, row.mutant, turn);
             cell = std::max(cell, result.red() ? Cell::red : Cell::green);
             if (result.red() && row.survives()) {
                 row.finder = c->what.name();
                 row.message = result.message;
             }
         }
-        row.argument = argument_for(row.fault);
+        row.argument = argument_for(row.mutant);
     }
 
-    /// The case of a check in which faults of `side` are looked for; null: there is none.
+    /// The case of a check in which mutants of `side` are looked for; null: there is none.
     const BaselineCase* case_of(const suite::Check* check, Side side) const
     {
         for (const BaselineCase& c : result_.baseline) {
@@ -190,7 +190,7 @@ private:
     {
         const BaselineCase& c = *case_of(sight.check, sight.side);
         sight.sees =
-            std::ranges::any_of(result_.rows, [&](const FaultRow& row) { return is_red(row, sight); });
+            std::ranges::any_of(result_.rows, [&](const MutantRow& row) { return is_red(row, sight); });
         std::vector<Place> seen = seen_places(sight); // with a coefficient of an equation of its own
         if (seen.empty() && sight.check->level != suite::Level::metamorphic) {
             seen = first_seen(sight, c, turn);
@@ -206,18 +206,18 @@ private:
         sight.argument = argument_for(*sight.check, sight.side);
     }
 
-    bool is_red(const FaultRow& row, const Sight& sight) const
+    bool is_red(const MutantRow& row, const Sight& sight) const
     {
-        return row.fault.side == sight.side && row.cells[column_of(sight.check)] == Cell::red;
+        return row.mutant.side == sight.side && row.cells[column_of(sight.check)] == Cell::red;
     }
 
     std::vector<Place> seen_places(const Sight& sight) const
     {
         std::vector<Place> seen;
-        for (const FaultRow& row : result_.rows) {
-            if (is_red(row, sight) && row.fault.kind == faults::Kind::coefficient &&
-                is_own_coefficient(sight, row.fault.place)) {
-                seen.push_back(row.fault.place);
+        for (const MutantRow& row : result_.rows) {
+            if (is_red(row, sight) && row.mutant.kind == mutants::Kind::coefficient &&
+                is_own_coefficient(sight, row.mutant.place)) {
+                seen.push_back(row.mutant.place);
             }
         }
         return seen;
@@ -233,9 +233,9 @@ private:
     {
         for (std::size_t k = 0; k < place_count; ++k) {
             const auto place = static_cast<Place>(k);
-            const Fault fault{place, sight.side, faults::Kind::coefficient, fault_size};
+            const Mutant mutant{place, sight.side, mutants::Kind::coefficient, mutant_size};
             if (is_own_coefficient(sight, place) && reaches(c, sight.side, place) &&
-                tried(c, fault, turn).red()) {
+                tried(c, mutant, turn).red()) {
                 return {place};
             }
         }
@@ -246,11 +246,12 @@ private:
     /// until one turns it red.
     static void look_everywhere(Sight& sight, const BaselineCase& c, Turn& turn)
     {
-        for (const faults::Kind kind : {faults::Kind::off_by_one, faults::Kind::sign, faults::Kind::power}) {
+        for (const mutants::Kind kind :
+             {mutants::Kind::off_by_one, mutants::Kind::sign, mutants::Kind::power}) {
             for (std::size_t k = 0; k < place_count && !sight.sees; ++k) {
                 const auto place = static_cast<Place>(k);
                 if (reaches(c, sight.side, place)) {
-                    sight.sees = tried(c, {place, sight.side, kind, fault_size}, turn).red();
+                    sight.sees = tried(c, {place, sight.side, kind, mutant_size}, turn).red();
                 }
             }
         }
@@ -260,8 +261,8 @@ private:
     static void refine(int& finest_red, Sight& sight, const BaselineCase& c, Place place, Turn& turn)
     {
         const auto is_red = [&](int k) {
-            const Fault fault{place, sight.side, faults::Kind::coefficient, std::ldexp(1, -k)};
-            return tried(c, fault, turn).red();
+            const Mutant mutant{place, sight.side, mutants::Kind::coefficient, std::ldexp(1, -k)};
+            return tried(c, mutant, turn).red();
         };
         if (finest_red >= finest || !is_red(finest_red + 1)) {
             return;
@@ -309,8 +310,8 @@ SensitivityStudy run_study(const std::vector<const suite::Check*>& checks,
     const auto start = std::chrono::steady_clock::now();
     SensitivityStudy study{.checks = checks, .subjects = std::move(subjects)};
     study.baseline = cases_of(checks, study.subjects);
-    for (const Fault& fault : options.faults) {
-        study.rows.push_back({fault});
+    for (const Mutant& mutant : options.mutants) {
+        study.rows.push_back({mutant});
     }
     Study(study, options, after_step).run();
     study.complete = !InterruptWatch::interrupted();
@@ -323,7 +324,7 @@ bool passed(const SensitivityStudy& study)
     const auto argued = [](const auto& x) { return !x.argument.empty(); };
     return std::ranges::none_of(study.baseline, [](const BaselineCase& c) { return c.result.red(); }) &&
            std::ranges::all_of(study.rows,
-                               [&](const FaultRow& row) { return !row.survives() || argued(row); }) &&
+                               [&](const MutantRow& row) { return !row.survives() || argued(row); }) &&
            std::ranges::all_of(study.sights, [&](const Sight& s) { return s.sees || argued(s); });
 }
 

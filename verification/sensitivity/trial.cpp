@@ -21,7 +21,7 @@ namespace aneurysm::sensitivity
 namespace
 {
 
-constexpr rlim_t most_memory = rlim_t{4} << 30; ///< of a child; a fault may ask for all there is [bytes]
+constexpr rlim_t most_memory = rlim_t{4} << 30; ///< of a child; a mutant may ask for all there is [bytes]
 
 [[noreturn]] void fail(const char* what)
 {
@@ -39,14 +39,14 @@ Reached reached_places()
     Reached reached;
     for (std::size_t side = 0; side < reached.size(); ++side) {
         for (std::size_t k = 0; k < place_count; ++k) {
-            reached.at(side)[k] = faults::visited.at(side).at(k);
+            reached.at(side)[k] = mutants::visited.at(side).at(k);
         }
     }
     return reached;
 }
 
 /// The child's work.
-std::string run(const Case& c, const std::optional<Fault>& fault, double limit_s)
+std::string run(const Case& c, const std::optional<Mutant>& mutant, double limit_s)
 {
     for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGPROF, SIGSEGV}) {
         std::signal(signal, SIG_DFL); // a test's handlers would go on with the parent's work
@@ -56,8 +56,8 @@ std::string run(const Case& c, const std::optional<Fault>& fault, double limit_s
     const itimerval timer{{0, 0}, {static_cast<time_t>(std::ceil(limit_s)), 0}};
     setitimer(ITIMER_PROF, &timer, nullptr); // SIGPROF ends the process
     analytic::gsl_return_errors();
-    if (fault) {
-        faults::planted = *fault;
+    if (mutant) {
+        mutants::planted = *mutant;
         suite::Quantity::first_failure_ends = true;
     }
     const suite::CheckResult result = suite::run_check(*c.check, *c.subject);
@@ -144,7 +144,7 @@ std::string Case::name() const
            ")";
 }
 
-TrialResult run_trial(const Case& c, const std::optional<Fault>& fault, double limit_s, Turn& turn)
+TrialResult run_trial(const Case& c, const std::optional<Mutant>& mutant, double limit_s, Turn& turn)
 {
     std::array<int, 2> pipe{};
     if (::pipe(pipe.data()) != 0) {
@@ -156,7 +156,7 @@ TrialResult run_trial(const Case& c, const std::optional<Fault>& fault, double l
     }
     if (child == 0) {
         close(pipe[0]);
-        write_all(pipe[1], run(c, fault, limit_s));
+        write_all(pipe[1], run(c, mutant, limit_s));
         _exit(0); // nothing of the parent's is flushed or destroyed twice
     }
     close(pipe[1]);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// One check with one fault planted, in a process of its own: a fault may crash it, or keep it busy for ever.
+// One check with one mutant planted, in a process of its own: a mutant may crash it, or keep it busy for ever.
 #pragma once
 
-#include "verification/sensitivity/faults.hpp"
+#include "verification/sensitivity/mutants.hpp"
 #include "verification/suite/suite.hpp"
 
 #include <array>
@@ -40,6 +40,6 @@ using Turn = std::unique_lock<std::mutex>;
 
 /// \param limit_s  CPU time after which the case counts as failing
 /// \throws Error when there can be no other process
-TrialResult run_trial(const Case& c, const std::optional<Fault>& fault, double limit_s, Turn& turn);
+TrialResult run_trial(const Case& c, const std::optional<Mutant>& mutant, double limit_s, Turn& turn);
 
 } // namespace aneurysm::sensitivity

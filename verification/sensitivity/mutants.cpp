@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/sensitivity/faults.hpp"
+#include "verification/sensitivity/mutants.hpp"
 
 #include <array>
 #include <utility>
@@ -9,10 +9,10 @@ namespace aneurysm::sensitivity
 namespace
 {
 
-using faults::Backends;
-using faults::Kind;
-using faults::Part;
-using faults::places;
+using mutants::Backends;
+using mutants::Kind;
+using mutants::Part;
+using mutants::places;
 
 std::vector<Kind> kinds_of(Part part)
 {
@@ -61,16 +61,16 @@ std::string_view words_of(Kind kind, Part part)
 
 } // namespace
 
-std::vector<Fault> all_faults()
+std::vector<Mutant> all_mutants()
 {
-    std::vector<Fault> all;
+    std::vector<Mutant> all;
     for (std::size_t k = 0; k < places.size(); ++k) {
         for (const Side side : {Side::reference, Side::device}) {
             if (side == Side::reference && places.at(k).backends == Backends::optimized) {
                 continue;
             }
             for (const Kind kind : kinds_of(places.at(k).part)) {
-                all.push_back({static_cast<Place>(k), side, kind, fault_size});
+                all.push_back({static_cast<Place>(k), side, kind, mutant_size});
             }
         }
     }
@@ -78,35 +78,35 @@ std::vector<Fault> all_faults()
 }
 
 /// (1) and (15) are hit through (7), (5) and (6) through (4), (21) through (19).
-std::vector<Fault> daily_faults()
+std::vector<Mutant> daily_mutants()
 {
     constexpr Side reference = Side::reference;
     constexpr Side device = Side::device;
     return {
-        {eq02_term, reference, Kind::off_by_one, fault_size},
-        {eq03_restart, device, Kind::sign, fault_size},
-        {eq04_outer, reference, Kind::power, fault_size},
-        {eos_rest, device, Kind::dropped, fault_size},
-        {eq07_difference, device, Kind::sign, fault_size},
-        {eq08_force, device, Kind::sign, fault_size},
-        {eq09_radius, reference, Kind::power, fault_size},
-        {eq10_thinning, device, Kind::dropped, fault_size},
-        {eq11_porosity, reference, Kind::coefficient, fault_size},
-        {eq12_load, device, Kind::off_by_one, fault_size},
-        {eq13_poisson, reference, Kind::dropped, fault_size},
-        {eq14_velocity, device, Kind::power, fault_size},
-        {eq16_band, reference, Kind::coefficient, fault_size},
-        {eq17_fibres, device, Kind::sign, fault_size},
-        {eq18_speed, reference, Kind::off_by_one, fault_size},
-        {eq19_collagen, device, Kind::dropped, fault_size},
-        {eq20_radius, reference, Kind::coefficient, fault_size},
-        {eq22_thinning, reference, Kind::dropped, fault_size},
-        {eq23_cap, device, Kind::coefficient, fault_size},
-        {eq24_root, reference, Kind::power, fault_size},
-        {eq25_phase, device, Kind::coefficient, fault_size},
-        {eq26_slab_push, reference, Kind::sign, fault_size},
-        {eq27_velocity, device, Kind::coefficient, fault_size},
-        {eq28_spring, reference, Kind::off_by_one, fault_size},
+        {eq02_term, reference, Kind::off_by_one, mutant_size},
+        {eq03_restart, device, Kind::sign, mutant_size},
+        {eq04_outer, reference, Kind::power, mutant_size},
+        {eos_rest, device, Kind::dropped, mutant_size},
+        {eq07_difference, device, Kind::sign, mutant_size},
+        {eq08_force, device, Kind::sign, mutant_size},
+        {eq09_radius, reference, Kind::power, mutant_size},
+        {eq10_thinning, device, Kind::dropped, mutant_size},
+        {eq11_porosity, reference, Kind::coefficient, mutant_size},
+        {eq12_load, device, Kind::off_by_one, mutant_size},
+        {eq13_poisson, reference, Kind::dropped, mutant_size},
+        {eq14_velocity, device, Kind::power, mutant_size},
+        {eq16_band, reference, Kind::coefficient, mutant_size},
+        {eq17_fibres, device, Kind::sign, mutant_size},
+        {eq18_speed, reference, Kind::off_by_one, mutant_size},
+        {eq19_collagen, device, Kind::dropped, mutant_size},
+        {eq20_radius, reference, Kind::coefficient, mutant_size},
+        {eq22_thinning, reference, Kind::dropped, mutant_size},
+        {eq23_cap, device, Kind::coefficient, mutant_size},
+        {eq24_root, reference, Kind::power, mutant_size},
+        {eq25_phase, device, Kind::coefficient, mutant_size},
+        {eq26_slab_push, reference, Kind::sign, mutant_size},
+        {eq27_velocity, device, Kind::coefficient, mutant_size},
+        {eq28_spring, reference, Kind::off_by_one, mutant_size},
     };
 }
 
@@ -130,19 +130,19 @@ std::string name_of(Side side)
     return side == Side::reference ? "reference" : "cpu";
 }
 
-std::string name_of(const Fault& fault)
+std::string name_of(const Mutant& mutant)
 {
-    return std::string(places.at(fault.place).name)
+    return std::string(places.at(mutant.place).name)
         .append("/")
-        .append(name_of(fault.kind))
+        .append(name_of(mutant.kind))
         .append("/")
-        .append(name_of(fault.side));
+        .append(name_of(mutant.side));
 }
 
-std::string words_of(const Fault& fault)
+std::string words_of(const Mutant& mutant)
 {
-    const faults::PlaceInfo& place = places.at(fault.place);
-    return std::string(place.text).append(": ").append(words_of(fault.kind, place.part));
+    const mutants::PlaceInfo& place = places.at(mutant.place);
+    return std::string(place.text).append(": ").append(words_of(mutant.kind, place.part));
 }
 
 } // namespace aneurysm::sensitivity
