@@ -26,9 +26,9 @@ ComplexEstimate bessel_by_series(int n, std::complex<double> z);
 ///
 ///     J_n(z) = 1/(2 pi) int_0^2pi exp(i (z sin t - n t)) dt.
 ///
-/// With N points the rule gives sum_m J_{n + m N}(z), so the error but for rounding is the terms with m other
-/// than 0, |J_k(z)| <= |z/2|^k / k! e^|Im z|. It loses nothing to cancellation where J_n is as large as
-/// e^|Im z|.
+/// With N points the rule gives sum_m J_{n + m N}(z),
+/// so the error but for rounding is the terms with m other than 0, |J_k(z)| <= |z/2|^k / k! e^|Im z|.
+/// It loses nothing to cancellation where J_n is as large as e^|Im z|.
 ComplexEstimate bessel_by_integral(int n, std::complex<double> z);
 
 /// J_n(z), n = 0 or 1 [1], by GSL's integration of Bessel's equation along the ray from 0 to z = s e,

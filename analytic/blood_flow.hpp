@@ -47,12 +47,12 @@ Estimate pressure_force_ratio(const Medium& medium);
 /// Eq. (7)  -mu m/rho L v_1 c with L = viscosity_sum; tends to -mu k^2 v [N/m^3].
 VectorEstimate viscosity_force(const Medium& medium, double mu, const Wave& wave, double c);
 
-/// Eq. (15)  What a shear wave loses by friction, dv/dt = -rate v: rate = mu m/rho^2 L; tends to mu k^2/rho
-/// [1/s].
+/// Eq. (15)  What a shear wave loses by friction, dv/dt = -rate v:
+/// rate = mu m/rho^2 L; tends to mu k^2/rho [1/s].
 Estimate shear_decay_rate(const Medium& medium, double mu, const Eigen::Vector3d& k);
 
-/// Eq. (EOS)  Pressure from the speed of sound c^2 = dp/drho = kappa, int c^2 drho from rho_0 by quadrature
-/// [Pa].
+/// Eq. (EOS)  Pressure from the speed of sound c^2 = dp/drho = kappa,
+/// int c^2 drho from rho_0 by quadrature [Pa].
 Estimate pressure_of_sound_speed(double kappa, double rho, double rho_0);
 
 /// Eq. (EOS)  Square of the angular frequency of a sound wave whose displacement a sin(k.r), a parallel to G,

@@ -17,8 +17,8 @@ namespace aneurysm::analytic
 /// = (1 + sin x)/2, 1; x = 2 pi t/T [m/s].
 Estimate waveform_velocity(Waveform waveform, double v_0, double T, double t);
 
-/// Eq. (25)  A table, periodic and piecewise linear, by gsl_interp [m/s]; relative error 8 u of the largest
-/// entry.
+/// Eq. (25)  A table, periodic and piecewise linear, by gsl_interp [m/s];
+/// relative error 8 u of the largest entry.
 double interpolated_velocity(std::vector<double> time, std::vector<double> velocity, double T, double t);
 
 /// Eq. (25)  What a velocity transports in a cycle, int_0^T v dt, by quadrature between breaks [m].
@@ -68,8 +68,8 @@ Estimate driven_response(const Oscillator& wall, const std::function<double(doub
 /// Eq. (28)  What n symplectic Euler steps give, exactly: theta = 2 asin(w dt/2), force F + G sin(O k dt) in
 /// the step from k to k + 1,
 ///
-///     u_n = F/k + A cos(n theta) + B sin(n theta) + G_n,  G_n = G dt^2/m sin(O n dt)/((w dt)^2 - 4 sin^2(O
-///     dt/2))
+///     u_n = F/k + A cos(n theta) + B sin(n theta) + G_n,
+///     G_n = G dt^2/m sin(O n dt)/((w dt)^2 - 4 sin^2(O dt/2))
 ///
 /// The error is that of the angle, n theta u, and of ten operations.
 Estimate displacement_after_steps(const Oscillator& wall, double F, double G, double O, double dt, int n);

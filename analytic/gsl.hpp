@@ -60,8 +60,8 @@ gsl_function gsl_function_of(Function& f)
     return {[](double x, void* self) { return (*static_cast<Function*>(self))(x); }, &f};
 }
 
-/// Adaptive quadrature over [a, b]; the error is GSL's own estimate, which leaves rounding out, and 16 u of
-/// the value.
+/// Adaptive quadrature over [a, b]; the error is GSL's own estimate,
+/// which leaves rounding out, and 16 u of the value.
 template <class Function>
 Estimate integrate(Function f, double a, double b)
 {

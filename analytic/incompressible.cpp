@@ -110,8 +110,8 @@ Iteration accelerate(std::vector<Amplitude> amplitudes, int n, double floor)
             forth += a.mean_square * (a.p - a.p_old) * (a.p - a.p_old);
         }
         if (t > 1) { // else a restart changes nothing
-            // errors e of both change the mean product by up to e (back + forth) + e^2, with e = this by less
-            // than itself
+            // errors e of both change the mean product by up to e (back + forth) + e^2,
+            // with e = this by less than itself
             result.margin =
                 std::min(result.margin, std::abs(test) / (2 * (std::sqrt(back) + std::sqrt(forth))));
         }

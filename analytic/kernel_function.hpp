@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Oracles of the kernel W and of the Laplacian of (7): truncated powers and expanded polynomials, exact
-// moments.
+// Oracles of the kernel W and of the Laplacian of (7):
+// truncated powers and expanded polynomials, exact moments.
 #pragma once
 
 #include "analytic/gsl.hpp"
@@ -37,8 +37,8 @@ double viscosity_kernel_laplacian(double H, double r);
 /// rules: no error but rounding for piecewise polynomials with breaks at h and 2 h.
 Estimate moment(const Radial& f, double h, int p);
 
-/// The exact moment of W, a rational times h^p: p = 0, 2 or 4. (The second moment an axis is a third of p
-/// = 2.)
+/// The exact moment of W, a rational times h^p: p = 0, 2 or 4.
+/// (The second moment an axis is a third of p = 2.)
 double exact_moment(KernelName name, double h, int p);
 
 /// int |grad W|^2 dV, exact: 12/(7 pi h^5) and 105/(44 pi h^5).
@@ -48,9 +48,9 @@ double exact_gradient_norm(KernelName name, double h);
 ///
 ///     What = -3/(h^2 k) d/dk sinc^4(k h/2) = 3 sin^3(x) (sin x - x cos x) / x^6,   x = k h/2,
 ///
-/// and for Wendland's the sine transform of its polynomial by repeated integration by parts. Below k h = 1
-/// the series sum_n (-1)^n k^2n <r^2n> / (2n + 1)! replaces both, where they cancel. The error is that of
-/// rounding.
+/// and for Wendland's the sine transform of its polynomial by repeated integration by parts.
+/// Below k h = 1 the series sum_n (-1)^n k^2n <r^2n> / (2n + 1)! replaces both,
+/// where they cancel. The error is that of rounding.
 Estimate kernel_transform(KernelName name, double h, double k);
 
 /// Fourier transform of the viscosity Laplacian, [1/m^2]: 180/(H^6 k^4) (2 - 2 cos kH - kH sin kH); 15/H^2 at

@@ -70,8 +70,8 @@ Estimate wall_shear(const Duct& duct, const Drive& drive, double t);
 
 /// Eq. (1) with Eq. (27)  velocity(), t > 0, from its Laplace transform, without any series in r or t [m/s]:
 ///
-///     u = 1/(2 pi i) int e^(s t) ghat(s)/s [1 - C(r sqrt(s/nu))/C(a sqrt(s/nu))] ds,   C(x) = cosh x, J_0(i
-///     x)
+///     u = 1/(2 pi i) int e^(s t) ghat(s)/s [1 - C(r sqrt(s/nu))/C(a sqrt(s/nu))] ds,
+///     C(x) = cosh x, J_0(i x)
 ///
 /// along Talbot's contour with the constants of Weideman (SIAM J. Numer. Anal. 44, 2006), by the midpoint
 /// rule; the error is the change since 8 points fewer. The contour encloses +- i omega while omega t < 6.

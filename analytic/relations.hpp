@@ -93,8 +93,8 @@ double murray_imbalance(double r_0, const std::vector<double>& daughters);
 /// Eq. (26)  F rho_0 = -m_j p_const dW/dx, of one component.
 double outlet_force_imbalance(double m_j, double rho_0, double p_const, double dW_dx, double F);
 
-/// Pressure of an outlet: p = p_const while blood leaves (v >= 0), p + rho_0 v^2/2 = p_const while it comes
-/// from rest.
+/// Pressure of an outlet: p = p_const while blood leaves (v >= 0),
+/// p + rho_0 v^2/2 = p_const while it comes from rest.
 double outlet_pressure_imbalance(double p_const, double rho_0, double v, double p);
 
 /// Eq. (28)  F - k u - m (u_after - 2 u + u_before)/dt^2, which symplectic Euler steps make 0 [N].

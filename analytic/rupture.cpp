@@ -99,8 +99,7 @@ Estimate radius_by_integration(const Wall& wall, double P)
 {
     Estimate R =
         integrate_ode([&](double p, double r) { return 1 / slope_of(wall, r, p); }, wall.P_0, wall.R_0, P);
-    // an error dR made on the way stays on a neighboring solution: dP = dP/dR dR, and dP/dR falls from R_0
-    // on
+    // an error dR made on the way stays on a neighboring solution: dP = dP/dR dR, and dP/dR falls from R_0 on
     R.error *= slope_of(wall, wall.R_0, wall.P_0);
     return R;
 }

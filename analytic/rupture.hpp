@@ -32,8 +32,8 @@ double thickness(const Wall& wall, double R);
 /// Eq. (9)  dh/dR of that power law, by the complex step (no difference is taken) [1]; relative error 16 u.
 double thickness_slope(const Wall& wall, double R);
 
-/// Eq. (10)  -d ln V/dR of the wall's volume V = 4 pi R^2 h(R), by the complex step [1/m]; error 16 u (2 +
-/// sigma)/R.
+/// Eq. (10)  -d ln V/dR of the wall's volume V = 4 pi R^2 h(R),
+/// by the complex step [1/m]; error 16 u (2 + sigma)/R.
 double porosity_slope(const Wall& wall, double R);
 
 /// Eq. (11)  2/3 Y int_phi^1 dx/x, by quadrature [Pa].
@@ -69,8 +69,8 @@ double largest_pressure(const Wall& wall);
 /// Eq. (13)  The same maximum found by searching P(R) [Pa]; P is flat there, so only rounding remains.
 Estimate largest_pressure_by_search(const Wall& wall);
 
-/// Eq. (14)  The speed that a half-sine pulse of the given mean force leaves a mass with after dt, by
-/// quadrature [m/s].
+/// Eq. (14)  The speed that a half-sine pulse of the given mean force
+/// leaves a mass with after dt, by quadrature [m/s].
 Estimate speed_after_pulse(double mean_force, double m, double dt);
 
 /// Eq. (16)  The largest Euclidean norm among columns [N]; relative error 4 u.

@@ -38,12 +38,10 @@ inline constexpr std::array<Equation, 29> equations{{
     {"5", "3.1", "density summation", "density", Status::printed, ""},
     {"6", "3.1", "pressure force", "pressure_force", Status::reconstructed,
      "minus sign restored. The printed mean (p_i + p_j)/2 converges to HALF the pressure gradient; kept "
-     "literally, "
-     "and proved by its lattice symbol"},
+     "literally, and proved by its lattice symbol"},
     {"7", "3.1", "viscosity force", "viscosity_force", Status::reconstructed,
      "printed with v_i - v_j, which would feed energy; (v_j - v_i) as in the paper's reference 15. The "
-     "Laplacian is "
-     "that of reference 15's viscosity kernel: the cubic spline's own is negative for r < h"},
+     "Laplacian is that of reference 15's viscosity kernel: the cubic spline's own is negative for r < h"},
     {"EOS", "3.1", "equation of state", "equation_of_state", Status::printed,
      "with the paper's stiffness of 1 the blood collapses; a driving stiffness is the scenario's"},
     {"8", "3.2", "Laplace's law", "wall_stress", Status::printed, ""},
@@ -60,8 +58,7 @@ inline constexpr std::array<Equation, 29> equations{{
     {"15", "3.2", "acceleration of a particle", "acceleration", Status::printed, ""},
     {"16", "3.2", "largest impact force on the wall", "impact_force", Status::reconstructed,
      "the norm is implied; S is empty in some frames, which counts as no impact. The paper compares this "
-     "force with "
-     "a pressure: the scenario's conversion area makes the units honest"},
+     "force with a pressure: the scenario's conversion area makes the units honest"},
     {"17", "3.3", "forces on the wall", "net_wall_force", Status::reconstructed, "minus signs restored"},
     {"18", "3.3", "resistance of the tissue fluid", "tissue_force", Status::printed, ""},
     {"19", "3.3", "resistance of elastin and collagen", "fiber_force", Status::printed,
@@ -69,8 +66,7 @@ inline constexpr std::array<Equation, 29> equations{{
     {"20", "3.3", "strain of the wall", "strain", Status::printed, ""},
     {"21", "3.3", "growth of the radius", "radius_increment", Status::reconstructed,
      "one backward-Euler step from rest: it has no limit as the time step goes to 0, so the time step is a "
-     "model "
-     "parameter"},
+     "model parameter"},
     {"22", "3.3", "thinning while growing", "thickness_growing", Status::reconstructed,
      "minus sign restored"},
     {"23", "3.3", "thinning when fully developed", "thickness_developed", Status::reconstructed,
@@ -78,13 +74,11 @@ inline constexpr std::array<Equation, 29> equations{{
     {"24", "3.4", "Murray's law", "daughter_radius", Status::printed, ""},
     {"25", "3.5", "pulsatile inlet velocity", "inlet_velocity", Status::printed,
      "as printed the flow turns round in half of each cycle and its net transport is 0; a scenario can "
-     "choose another "
-     "waveform"},
+     "choose another waveform"},
     {"26", "3.5", "constant outlet pressure", "outlet_pressure_force", Status::printed,
      "the paper gives no value; it must be large enough that the decelerating inflow doesn't tear the blood "
-     "column. "
-     "While blood comes back in, it is the pressure of the blood at rest that it comes from (p_const - rho "
-     "v^2/2)"},
+     "column. While blood comes back in, it is the pressure of the blood at rest that it comes from (p_const "
+     "- rho v^2/2)"},
     {"27", "3.5", "no-slip wall", "wall_velocity", Status::printed, ""},
     {"28", "3.5", "elastic aneurysm wall", "advance_elastic_wall", Status::reconstructed,
      "minus sign restored; mass and stiffness are not given"},

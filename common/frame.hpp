@@ -38,11 +38,10 @@ struct FrameRecord {
     std::int64_t frame = 0;
     double time = 0; ///< [s]
     Phase phase = Phase::warm_up;
-    double inlet_velocity = 0;  ///< (25) [m/s]
-    double outlet_velocity = 0; ///< mean of both zones, outward [m/s]
-    double impact_force = 0;    ///< F_b, (16) [N]
-    double impact_force_eos =
-        0; ///< (16) with (6) and the equation of state on the same state, a diagnostic [N]
+    double inlet_velocity = 0;         ///< (25) [m/s]
+    double outlet_velocity = 0;        ///< mean of both zones, outward [m/s]
+    double impact_force = 0;           ///< F_b, (16) [N]
+    double impact_force_eos = 0;       ///< (16) by (6) and the equation of state, a diagnostic [N]
     std::int64_t impact_count = 0;     ///< particles in S
     std::int64_t impact_particle = -1; ///< which one attains the maximum; -1: S is empty
     double radius = 0;                 ///< R [m]

@@ -102,8 +102,8 @@ ANEURYSM_INLINE Real density_rate(const Fields<Real>& f, const Row<Real>* v, Ind
 ///
 ///     A(r) = sum_j A_j m_j / rho_j W(r - r_j, h)                                              [A]
 ///
-/// `bodies`: rows of place and mass; `values`: rows of A_j (x) and rho_j (y); `count` of both, a multiple
-/// of 8.
+/// `bodies`: rows of place and mass; `values`: rows of A_j (x) and
+/// rho_j (y); `count` of both, a multiple of 8.
 template <class Real>
 ANEURYSM_HD Real interpolate(const Kernel<Real>& W, const Vec3T<Real>& r, const Row<Real>* bodies,
                              const Row<Real>* values, Index count, Lane lane)
@@ -141,8 +141,8 @@ ANEURYSM_INLINE Number equation_of_state(const Number& kappa, const Number& rho,
 ///
 ///     F_i^pressure = -sum_j m_j (p_i + p_j) / (2 rho_j) grad W_ij                             [N/m^3]
 ///
-/// with the pressure of (EOS) at free bodies, `outlet_factor` times the outlet's at its ghosts, and p_i at
-/// mirror ghosts.
+/// with the pressure of (EOS) at free bodies, `outlet_factor` times
+/// the outlet's at its ghosts, and p_i at mirror ghosts.
 template <class Real>
 ANEURYSM_HD Vec3T<Real> pressure_force(const Fields<Real>& f, Index i, Real outlet_factor, Lane lane)
 {

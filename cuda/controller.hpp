@@ -219,8 +219,8 @@ struct DriveSlabs {
     }
 };
 
-/// Blood within 0.3 dx of the inlet plane is not slower than a forward-moving inlet, and doesn't cross it
-/// backwards.
+/// Blood within 0.3 dx of the inlet plane is not slower than
+/// a forward-moving inlet, and doesn't cross it backwards.
 template <class Real>
 ANEURYSM_HD void push_as_piston(const Fields<Real>& f, Real v_inlet, Vec3T<Real>& x, Vec3T<Real>& v)
 {

@@ -110,8 +110,8 @@ struct InverseFactor {
     }
 };
 
-/// Takes spray out, and starts from the last step's pressure; a particle that has none starts from its
-/// neighbors' mean.
+/// Takes spray out, and starts from the last step's pressure;
+/// a particle that has none starts from its neighbors' mean.
 template <class Real>
 struct StartSolve {
     Fields<Real> f;

@@ -10,8 +10,8 @@
 namespace aneurysm::device
 {
 
-/// The key that particles are sorted by: free ones by cell, then ghosts of the open ends by cell, then the
-/// reserve.
+/// The key that particles are sorted by: free ones by cell,
+/// then ghosts of the open ends by cell, then the reserve.
 template <class Real>
 struct Keys {
     Fields<Real> f;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Section 3.2: when the wall of the aneurysm ruptures, (8)-(16).
-// sigma: Poisson's ratio, phi: porosity, Y: yield limit [Pa], R: radius [m], h: wall thickness [m], P:
-// pressure [Pa].
+// sigma: Poisson's ratio, phi: porosity, Y: yield limit [Pa],
+// R: radius [m], h: wall thickness [m], P: pressure [Pa].
 #pragma once
 
 #include "common/fault.hpp"

@@ -19,8 +19,8 @@ enum class Precision { single_, double_ };
 struct Tuning {
     int threads = 0;    ///< of the CPU; 0: as many as pay
     int block_size = 0; ///< GPU threads in a block, a multiple of 32; 0: the default
-    /// m_j grad W_ij of all pairs: kept in memory, computed in every pass, or what the particle count
-    /// suggests.
+    /// m_j grad W_ij of all pairs: kept in memory, computed in every pass,
+    /// or what the particle count suggests.
     enum class Gradients { automatic, kept, computed } gradients = Gradients::automatic;
     /// Blocks of eight that there is room for at first, in the lists of free neighbors and in those of
     /// ghosts; they grow when a frame needs more. 0: what a lattice needs.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The little of HDF5 that we need: files in memory, arrays, attributes; every failure an Error with HDF5's
-// reason.
+// The little of HDF5 that we need: files in memory, arrays, attributes;
+// every failure an Error with HDF5's reason.
 #pragma once
 
 #include <hdf5.h>

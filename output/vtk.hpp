@@ -21,8 +21,8 @@ struct ParticleFields {
 /// ParaView 5.10 and later read it. \throws Error
 void write_vtk(const std::filesystem::path& file, const ParticleFields& fields);
 
-/// What a particle file holds: all but the reserve, in the order of the particles' numbers. Every array has
-/// size() entries.
+/// What a particle file holds: all but the reserve, in the order of the particles'
+/// numbers. Every array has size() entries.
 struct ShownParticles {
     std::vector<std::int64_t> id;
     std::vector<Vec3> position;   ///< [m]

@@ -11,8 +11,8 @@ namespace aneurysm::reference
 ///
 ///     r_1 = r_2 = r_0 / 2^(1/3)                                                               [m]
 ///
-/// The root is written out: compilers and libraries differ in the last bit of cbrt, and every frame would
-/// with it.
+/// The root is written out: compilers and libraries differ in the last
+/// bit of cbrt, and every frame would with it.
 inline double daughter_radius(double r_0)
 {
     constexpr double cube_root_of_2 = 1.259921049894873164767;

@@ -326,8 +326,8 @@ void Flow::record_flow(const FlowStep& step, const Particles& p, FrameRecord& re
     record.density_error_mean = excess / static_cast<double>(std::max<std::int64_t>(count, 1));
 }
 
-/// S of (16): blood beyond the sac's wall, or within the impact band before it, that has not been put back
-/// yet.
+/// S of (16): blood beyond the sac's wall, or within the impact
+/// band before it, that has not been put back yet.
 std::vector<std::int64_t> Flow::impacting(const Particles& p, const Wall& wall) const
 {
     const double band = fault(eq16_band, scenario_->rupture.impact_band_spacings * dx_);
@@ -343,8 +343,8 @@ std::vector<std::int64_t> Flow::impacting(const Particles& p, const Wall& wall) 
     return S;
 }
 
-/// F_b of (16), with the pressure that drives the flow and, as a diagnostic, with (6) and the equation of
-/// state.
+/// F_b of (16), with the pressure that drives the flow and,
+/// as a diagnostic, with (6) and the equation of state.
 void Flow::record_impact(const FlowStep& step, const Particles& p, const Wall& wall, const Vec3& g,
                          FrameRecord& record) const
 {

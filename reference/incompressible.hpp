@@ -83,8 +83,8 @@ IncompressibleReport solve_incompressibility(const Bodies& b, const Neighbors& n
 IncompressibleReport divergence_report(const Bodies& b, const Neighbors& neighbors, std::span<const Vec3> v,
                                        double rho_0);
 
-/// The omega below which the iteration of (3) damps every mode of a full cubic lattice with h/dx = ratio, for
-/// each theta:
+/// The omega below which the iteration of (3) damps every mode of a full
+/// cubic lattice with h/dx = ratio, for each theta:
 ///
 ///     4/3 / max_k lambda,   lambda(k) = alpha m^2 |sum_j grad W_j exp(-i k.r_j)|^2.
 ///

@@ -10,8 +10,8 @@
 namespace aneurysm::reference
 {
 
-/// W(r, h), normalized in three dimensions, zero from the support radius 2 h on. The paper names none; q = r
-/// / h:
+/// W(r, h), normalized in three dimensions, zero from the support
+/// radius 2 h on. The paper names none; q = r / h:
 ///
 ///     cubic spline   W = 1/(pi h^3)     { 1 - 3/2 q^2 + 3/4 q^3   for q < 1;   (2 - q)^3 / 4   for q < 2 }
 ///     Wendland C2    W = 21/(16 pi h^3) (1 - q/2)^4 (1 + 2 q)                                  for q < 2

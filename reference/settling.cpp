@@ -15,8 +15,8 @@ constexpr double settling_correction = 0.25; ///< beta of (3) while a fresh latt
 
 void Flow::settle(SimulationState& state, const Wall& wall) const
 {
-    // Each round takes out about what is left of the surplus. What never corrects the density doesn't at the
-    // start.
+    // Each round takes out about what is left of the surplus.
+    // What never corrects the density doesn't at the start.
     const int rounds = scenario_->pressure.density_correction > 0 ? 10 : 0;
     // At rest a step finds nothing to correct once the mean excess is this; 1.001 leaves room for rounding.
     const double allowed = 1.001 * solver_.tolerance * dt_ / settling_correction;

@@ -28,8 +28,8 @@ public:
     Simulation& operator=(const Simulation&) = delete;
 
     /// One frame.
-    /// \throws SimulationError that names frame and particle; state() is then still that of the last good
-    /// frame
+    /// \throws SimulationError that names frame and particle;
+    /// state() is then still that of the last good frame
     FrameRecord advance();
     /// The same, observed, and unless `solved_pressure` is empty without a solve of its own: by flow step and
     /// particle [Pa], it is taken as the solution of (3). Model eos has none and ignores it.
@@ -40,8 +40,8 @@ public:
     /// \throws Error when it has another number of particles or another spacing
     void restart(SimulationState state);
 
-    /// From now on (3) is solved to other tolerances than the scenario's [1/s]: an ensemble varies when the
-    /// solve stops.
+    /// From now on (3) is solved to other tolerances than the scenario's [1/s]:
+    /// an ensemble varies when the solve stops.
     void set_tolerances(double mean, double largest) { flow_.set_tolerances(mean, largest); }
 
     const SimulationState& state() const { return state_; }

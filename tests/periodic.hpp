@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles in periodic boxes for the sums of section 3.1: a cubic lattice with plane waves, and a random
-// cloud.
+// Particles in periodic boxes for the sums of section 3.1:
+// a cubic lattice with plane waves, and a random cloud.
 #pragma once
 
 #include "analytic/blood_flow.hpp"
@@ -73,8 +73,8 @@ struct PeriodicLattice {
                Eigen::Vector3d(double(n[0]) / edge[0], double(n[1]) / edge[1], double(n[2]) / edge[2]);
     }
 
-    /// cos(k.r) or, a quarter of a turn earlier, sin(k.r) at each body; the phase is reduced before it is
-    /// rounded.
+    /// cos(k.r) or, a quarter of a turn earlier, sin(k.r) at each body;
+    /// the phase is reduced before it is rounded.
     std::vector<double> wave(const Mode& n, double turns = 0) const
     {
         std::vector<double> values;

@@ -22,8 +22,8 @@ struct Exact {
 /// that defines it. `off`: relative error of r.
 Exact exact_kernel(KernelName name, double h, double r, double off);
 
-/// dW/dr by a difference, whose own error of 1e-30 W(0)/h counts as change [1/m^4]. `off`: relative error of
-/// r.
+/// dW/dr by a difference, whose own error of 1e-30 W(0)/h counts
+/// as change [1/m^4]. `off`: relative error of r.
 Exact exact_kernel_slope(KernelName name, double h, double r, double off);
 
 /// grad W of Eq. (6) as differences of W(|x|) along each axis [1/m^4].

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sums of pair_sums.hpp once more, from what defines the kernels: each term from the B-spline's
-// recursion, Wendland's integral and differences, over every periodic image by itself, added up with 50
-// digits.
+// The sums of pair_sums.hpp once more, from what defines the kernels:
+// each term from the B-spline's recursion, Wendland's integral and differences,
+// over every periodic image by itself, added up with 50 digits.
 #pragma once
 
 #include "analytic/lattice/pair_sums.hpp"

@@ -38,8 +38,8 @@ Estimate kernel_sum(const Lattice& lattice, const Eigen::Vector3d& k = Eigen::Ve
 /// Eq. (6)  G(k) = sum_x grad W(x) sin(k.x) [1/m^4]; times a cell it tends to -k.
 VectorEstimate gradient_sum(const Lattice& lattice, const Eigen::Vector3d& k);
 
-/// Eq. (6)  b of a linear field: its gradient comes out 1 + b times too large, -dx^3 sum_x x dW/dx = 1 + b
-/// [1].
+/// Eq. (6)  b of a linear field: its gradient comes out 1 + b times
+/// too large, -dx^3 sum_x x dW/dx = 1 + b [1].
 Estimate gradient_floor(const Lattice& lattice);
 
 /// Eq. (3)  sum_x |grad W(x)|^2 [1/m^8].

@@ -37,9 +37,10 @@ public:
     const Eigen::MatrixXd& matrix() const { return A_; }        ///< symmetric [1/s]
     const Eigen::VectorXd& density() const { return density_; } ///< Eq. (5), by column [kg/m^3]
 
-    /// What another text of du/dt, which sums over all neighbors of a particle, may add to the couplings
-    /// [1/s]. \param roundoff      of its arithmetic [1] \param displacement  by which its distances may be
-    /// off [m]
+    /// What another text of du/dt, which sums over all neighbors of a particle, may add to the couplings.
+    /// \param roundoff      of its arithmetic [1]
+    /// \param displacement  by which its distances may be off [m]
+    /// \return [1/s]
     Couplings uncertainty(double roundoff, double displacement) const;
 
     /// Bound of the largest row sum of |A^-1|, how long a disturbance lasts: by a force of at most 1 the flow

@@ -26,8 +26,8 @@ struct Range {
 ///
 ///     V sum_{n > 0} (n dx)^2 S_n(s),   S_n(s) = sum over row n of lap W,
 ///
-/// at the density rho_0 [1]. The extremes over a grid of s, widened by what S_n can change between its
-/// points.
+/// at the density rho_0 [1]. The extremes over a grid of s,
+/// widened by what S_n can change between its points.
 Range sliding_viscosity_ratio(const Lattice& lattice);
 
 /// Eq. (5)  rho/rho_0 of the same rows, as long as none leaves its plane [1].

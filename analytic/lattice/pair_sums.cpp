@@ -49,8 +49,8 @@ double rounding(const Cloud& c, int terms, double magnitude)
     return u * (terms + 32 + 8 * c.period / c.h) * magnitude;
 }
 
-/// sum_j of term(j, x_ij), a vector, over all j within the support; factor(j) bounds what multiplies the
-/// kernel.
+/// sum_j of term(j, x_ij), a vector, over all j within the support;
+/// factor(j) bounds what multiplies the kernel.
 template <class Term, class Factor>
 VectorEstimate sum_over_pairs(const Cloud& c, const Vector3d& r, double largest, Term term, Factor factor)
 {

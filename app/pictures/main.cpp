@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program `aneurysm-pictures`, which `aneurysm render` and `aneurysm view` hand over to: all that needs
-// VTK.
+// The program `aneurysm-pictures`, which `aneurysm render` and
+// `aneurysm view` hand over to: all that needs VTK.
 #include "app/pictures/render.hpp"
 #include "app/pictures/view.hpp"
 #include "common/error.hpp"

@@ -15,8 +15,8 @@
 namespace aneurysm::app
 {
 
-/// A simulation in a thread of its own, which hands out copies of its state: a window stays responsive beside
-/// it.
+/// A simulation in a thread of its own, which hands out copies
+/// of its state: a window stays responsive beside it.
 class Worker
 {
 public:

@@ -17,8 +17,8 @@ double largest_inlet_speed(const Scenario& scenario);
 
 /// Longest stable flow steps (a frame over its substeps) at the particle spacing dx [s].
 struct StepLimits {
-    double convective =
-        0;               ///< the fastest particles, 2.5 v_0 in the jets of the junction, move half a spacing
+    /// the fastest particles, 2.5 v_0 in the jets of the junction, move half a spacing
+    double convective = 0;
     double viscous = 0;  ///< 0.125 h^2 rho_0 / mu (Morris et al. 1997)
     double acoustic = 0; ///< 0.4 h / sqrt(kappa), only of model `eos`; else infinite
 

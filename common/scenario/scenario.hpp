@@ -112,13 +112,12 @@ struct Scenario {
     } growth;
 
     struct {
-        double poisson_ratio = 0;      ///< sigma
-        double porosity = 0;           ///< phi
-        double yield_limit_pa = 0;     ///< Y
-        double thickness_ratio = 0;    ///< zeta: h_0 / r_0
-        double conversion_area_m2 = 0; ///< turns the force F_b into the pressure that P_c is compared with
-        double impact_band_spacings =
-            0; ///< S of (16): particles nearer to the sac's wall than this, or beyond it
+        double poisson_ratio = 0;        ///< sigma
+        double porosity = 0;             ///< phi
+        double yield_limit_pa = 0;       ///< Y
+        double thickness_ratio = 0;      ///< zeta: h_0 / r_0
+        double conversion_area_m2 = 0;   ///< turns the force F_b into the pressure that P_c is compared with
+        double impact_band_spacings = 0; ///< S of (16): blood nearer to the sac's wall, or beyond it
         double breach_radius_radii = 0;
         double recycle_distance_radii = 0; ///< blood this far from the breach goes back to the reserve
     } rupture;

@@ -9,8 +9,8 @@
 namespace aneurysm
 {
 
-/// What g of (1) is multiplied with at time t: 1, or sin(2 pi t/T) where the scenario gives the force a cycle
-/// T.
+/// What g of (1) is multiplied with at time t: 1, or sin(2 pi t/T)
+/// where the scenario gives the force a cycle T.
 inline double body_force_factor(const Scenario& scenario, double t)
 {
     const double T = scenario.fluid.gravity_cycle_s;

@@ -50,12 +50,10 @@ ANEURYSM_HD DistanceT<Real> smooth_union(const DistanceT<Real>& a, const Distanc
 /// The parent tube comes up along +y from the inlet to the origin; two equal daughters leave it in the x-y
 /// plane at the angle B to +y. The sac is a body of revolution around +y that scales with its radius R. Its
 /// neck plane lies at the apex, where the wall between the daughters crosses the y axis:
-///   hemispherical, spherical: the part above the neck plane of a sphere of radius R that the plane cuts in a
-///   circle
-///                             of the neck's width;
+///   hemispherical, spherical: the part above the neck plane of a sphere of radius R that the plane cuts
+///                             in a circle of the neck's width;
 ///   piriform:                 a cone from the neck's width into a sphere of radius R, 1.5 R higher up
-///   (assumed: the
-///                             paper gives no length).
+///                             (assumed: the paper gives no length).
 /// Tubes and sac are joined by polynomial smooth unions. In the other forms of a domain the tubes are two
 /// plates, one straight tube, or no wall at all, whose distance is -nowhere; x and z of a tube are 0 on its
 /// axis, all other coordinates begin at 0. An end that isn't open is nowhere. Radii are plain numbers:
@@ -183,8 +181,8 @@ private:
         const Real r = length(offset);
         return {r - radius, r > 0 ? offset / r : Vector{0, 1, 0}};
     }
-    /// A tube is a half-infinite cylinder with a spherical end at the origin; the openings only cut the
-    /// blood.
+    /// A tube is a half-infinite cylinder with a spherical end at
+    /// the origin; the openings only cut the blood.
     ANEURYSM_HD DistanceT<Real> tube(std::size_t k, const Vector& x) const
     {
         const Vector& axis = openings_[k].outward;

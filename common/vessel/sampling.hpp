@@ -14,8 +14,8 @@ namespace aneurysm
 /// Layers of ghost particles behind each open end.
 constexpr int opening_layers = 3;
 
-/// Particle positions on one cubic lattice of the given spacing, aligned with the parent's axis and the inlet
-/// plane.
+/// Particle positions on one cubic lattice of the given spacing,
+/// aligned with the parent's axis and the inlet plane.
 struct Lattice {
     double spacing = 0;                        ///< dx [m]
     std::vector<Vec3> fluid;                   ///< inside the wall
@@ -50,8 +50,8 @@ struct Breach {
 };
 
 /// The wall's ghost particles (27) on the fluid's lattice, which hold as much mass as their cell has volume
-/// outside the wall: m clamp(1/2 + d/dx, 0, 1) at distance d. So density stays smooth while the wall of the
-/// sac moves.
+/// outside the wall: m clamp(1/2 + d/dx, 0, 1) at distance d. So density stays
+/// smooth while the wall of the sac moves.
 class GhostLattice
 {
 public:

@@ -9,9 +9,8 @@ namespace aneurysm::device
 {
 namespace
 {
-constexpr int spins_before_sleep =
-    4000; ///< of a worker; some 50 microseconds, longer than any pause in a frame
-constexpr int spins_before_yield = 200; ///< of the caller, who waits for chunks that others have begun
+constexpr int spins_before_sleep = 4000; ///< of a worker: 50 microseconds, longer than any pause in a frame
+constexpr int spins_before_yield = 200;  ///< of the caller, who waits for chunks that others have begun
 
 void relax()
 {

@@ -18,8 +18,8 @@ public:
     Canvas(int width, int height, int samples = 2);
 
     void add(vtkRenderer& renderer) { window_->AddRenderer(&renderer); }
-    /// Pixels that a pixel of the picture is made of, along an edge: what lengths in pixels are multiplied
-    /// by.
+    /// Pixels that a pixel of the picture is made of, along an edge:
+    /// what lengths in pixels are multiplied by.
     int samples() const { return samples_; }
     int height() const { return height_; }
     Image draw();

@@ -46,9 +46,9 @@ bool gradient_is_the_derivative(Candidate candidate)
     return for_all_vessels([&](const Scenario& scenario, const Vessel& vessel) {
         const double away = 0.1 * scenario.vessel.radius_m;
         const double delta = 1e-8;
-        // f'' is at most 1/rho at the distance rho from an axis. A union of width w adds at most |grad(b -
-        // a)|^2 / (2 w) <= 2/w. So (f(+) - f(-)) / (2 delta) is off by at most delta f''/2, and the
-        // roundings.
+        // f'' is at most 1/rho at the distance rho from an axis.
+        // A union of width w adds at most |grad(b - a)|^2 / (2 w) <= 2/w.
+        // So (f(+) - f(-)) / (2 delta) is off by at most delta f''/2, and the roundings.
         const double curvature = 1 / (away - delta) + 4 / (scenario.vessel.junction_smoothing_radii * 0.5) +
                                  2 / (scenario.vessel.sac_smoothing_radii * 0.5);
         const double allowed = delta / 2 * curvature + distance_rounding / delta;
@@ -178,8 +178,8 @@ BOOST_AUTO_TEST_CASE(smooth_union_blends_the_gradients_as_its_value)
 namespace
 {
 
-/// A curve in the half plane (distance from the axis, height) that makes a surface when turned round the
-/// axis.
+/// A curve in the half plane (distance from the axis,
+/// height) that makes a surface when turned round the axis.
 using Profile = std::vector<std::array<double, 2>>;
 constexpr int samples = 4000;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section 3.4: particles on a lattice in the vessel, as many as asked for, and section 3.5: the wall's ghosts
-// (27).
+// Section 3.4: particles on a lattice in the vessel, as many as asked for,
+// and section 3.5: the wall's ghosts (27).
 #include "common/error.hpp"
 #include "common/vessel/sampling.hpp"
 #include "tests/support.hpp"

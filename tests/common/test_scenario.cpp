@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading, writing and refusing scenarios. The cases are made from the field table itself, so that none is
-// forgotten.
+// Reading, writing and refusing scenarios. The cases are made from
+// the field table itself, so that none is forgotten.
 #include "common/error.hpp"
 #include "common/scenario/fields.hpp"
 #include "common/scenario/limits.hpp"

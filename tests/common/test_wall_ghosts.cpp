@@ -152,11 +152,11 @@ BOOST_AUTO_TEST_CASE(breach_is_open_through_the_whole_wall)
 
 BOOST_AUTO_TEST_CASE(blood_and_ghosts_fill_a_row_of_cells_across_the_wall)
 {
-    // What the ghosts of a row along x leave free is the row's length inside the wall. The wall is nearly
-    // plane: at z = dx/2 it is tilted by the cosine c = x_w / r_0. A ramp of slope c/dx, summed over the row,
-    // is off by at most (1 - c)/2 cells (Euler-Maclaurin: the kinks at its ends are 1/c cells apart). The
-    // curvature z^2/r^3 moves each of the ramp's at most 3 cells, within 0.6 dx of the wall, by half of (0.6
-    // dx)^2 z^2/r^3.
+    // What the ghosts of a row along x leave free is the row's length inside the wall.
+    // The wall is nearly plane: at z = dx/2 it is tilted by the cosine c = x_w / r_0. A ramp of slope c/dx,
+    // summed over the row, is off by at most (1 - c)/2 cells (Euler-Maclaurin: the kinks at
+    // its ends are 1/c cells apart). The curvature z^2/r^3 moves each of the ramp's at most 3 cells,
+    // within 0.6 dx of the wall, by half of (0.6 dx)^2 z^2/r^3.
     const auto holds = [](auto mass_of) {
         const Walls walls(shipped_scenario("quick"));
         const double r_0 = walls.vessel.openings()[0].radius;

@@ -142,8 +142,8 @@ BOOST_AUTO_TEST_CASE(eq04_interpolates_a_wave_at_any_point)
                     const auto expected = analytic::interpolated_wave(flow.medium, flow.wave_vector(n), r);
                     const double found = sum(flow.bodies, std::span<const double>(flow.density),
                                              std::span<const double>(A), flow.kernel, middle + to_vec3(r));
-                    // 8 u of the box's edge through the difference of positions, on the slope's sum, < 8/h of
-                    // W's
+                    // 8 u of the box's edge through the difference of positions,
+                    // on the slope's sum, < 8/h of W's
                     const double shift = rounding(8 * 8) * 8;
                     if (std::abs(found - expected.value) > 2 * expected.error + shift) {
                         return false;
@@ -241,8 +241,8 @@ BOOST_AUTO_TEST_CASE(eq06_force_of_a_wave_is_its_symbol)
 
 BOOST_AUTO_TEST_CASE(eq06_is_half_of_the_gradient)
 {
-    // p = x inside the box: the force over -grad p is the oracle's number, and the nearer to 1/2 the wider
-    // the support
+    // p = x inside the box: the force over -grad p is the oracle's number,
+    // and the nearer to 1/2 the wider the support
     const auto holds = [](auto force) {
         for (const KernelName name : {KernelName::cubic_spline, KernelName::wendland_c2}) {
             double off_half = 0.5;

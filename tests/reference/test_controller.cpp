@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section 3.4: the particle controller, which moves particles between the artery, its open ends and the
-// reserve.
+// Section 3.4: the particle controller, which moves particles between
+// the artery, its open ends and the reserve.
 #include "common/vessel/initial_state.hpp"
 #include "tests/open_ends.hpp"
 

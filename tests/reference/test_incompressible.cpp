@@ -61,8 +61,8 @@ BOOST_AUTO_TEST_CASE(eq03_factor_is_that_of_the_lattice_and_of_all_pairs)
 namespace
 {
 
-/// Whether the pressure and the acceleration that a candidate finds for a cloud satisfy (3), by sums over all
-/// pairs.
+/// Whether the pressure and the acceleration that a candidate finds
+/// for a cloud satisfy (3), by sums over all pairs.
 template <class Candidate>
 bool satisfies_both_conditions(Candidate candidate, double beta)
 {

@@ -46,8 +46,8 @@ BOOST_AUTO_TEST_CASE(eq05_lattice_mass_makes_the_rest_density)
 
 BOOST_AUTO_TEST_CASE(eq03_relaxation_limit_is_safe_and_no_lower_than_its_margin)
 {
-    // the reference searches a grid and takes 0.2 % off: never above the exact limit, never more than that
-    // below
+    // the reference searches a grid and takes 0.2 % off:
+    // never above the exact limit, never more than that below
     const auto holds = [](auto relaxation_limit) {
         for (const auto kernel : {cubic, c2}) {
             for (const double ratio : {1.0, 1.2, 1.3}) {

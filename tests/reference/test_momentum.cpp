@@ -13,8 +13,8 @@ constexpr double fault = 1e-12;
 constexpr double mu = 3.7;
 const Vector3d g(0.5, -9.81, 2.5);
 
-/// Force (1) on each body of a lattice that carries the wave, by the candidate from the reference's (6) and
-/// (7).
+/// Force (1) on each body of a lattice that carries the wave,
+/// by the candidate from the reference's (6) and (7).
 template <class Candidate>
 std::vector<Vec3> forces(const PeriodicLattice& flow, const std::vector<double>& pressure,
                          const Vec3& gravity, Candidate momentum_force)
@@ -101,8 +101,8 @@ BOOST_AUTO_TEST_CASE(eq15_shear_wave_decays_by_its_rate)
 namespace
 {
 
-/// Acceleration at the crest of the displacement A sin(k.r) a, by (5), the equation of state, (6), (1) and
-/// (15).
+/// Acceleration at the crest of the displacement A sin(k.r) a, by (5),
+/// the equation of state, (6), (1) and (15).
 template <class Candidate>
 double sound_acceleration(const Mode& n, const Vector3d& a, double A, double kappa,
                           Candidate equation_of_state)
@@ -147,9 +147,9 @@ BOOST_AUTO_TEST_CASE(eqEOS_sound_has_the_lattices_frequency)
         const double coarse = odd(A);
         const double fine = odd(A / 2);
         const double found = (4 * fine - coarse) / 3;
-        // of the fourth order is left the square of the second's; rounding: 81 additions and 20 operations in
-        // (5) and in (6), relative to the change of density k A/2, and as often to the difference of two
-        // positions A/2
+        // of the fourth order is left the square of the second's; rounding:
+        // 81 additions and 20 operations in (5) and in (6), relative to the change of density k A/2,
+        // and as often to the difference of two positions A/2
         const double second = (coarse - fine) / found;
         const double change = flow.wave_vector(n).x() * A / 2;
         const double rounded = 2 * rounding(2 * 101) / change;

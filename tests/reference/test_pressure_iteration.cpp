@@ -148,8 +148,8 @@ struct Rounding {
     }
 };
 
-/// n iterations from a uniform pressure, large enough that none is clamped: pressures, restarts and the
-/// residual.
+/// n iterations from a uniform pressure, large enough that none is
+/// clamped: pressures, restarts and the residual.
 template <class Candidate>
 bool follows_its_waves(Candidate candidate, const PeriodicLattice& flow,
                        const std::vector<DensityWave>& waves, double omega, int n)
@@ -260,8 +260,8 @@ BOOST_AUTO_TEST_CASE(eq03_stops_after_the_predicted_iterations)
             if (left >= 0.9 * lowest) {
                 continue; // the momentum carried it past 0
             }
-            // half-way between what the iterations before and this one leave, far from rounding on either
-            // side
+            // half-way between what the iterations before and this one
+            // leave, far from rounding on either side
             const double tolerance = mean / rho_0 * std::sqrt(left * lowest);
             lowest = left;
             std::vector<double> p(rho.size(), 2 * oracle.reach);

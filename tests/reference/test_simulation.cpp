@@ -146,8 +146,8 @@ bool grows_by_its_equations(const Run& run)
     return good;
 }
 
-/// None before rupture; then it comes out where the breach is, and goes back to the reserve when it is far
-/// away.
+/// None before rupture; then it comes out where the breach is,
+/// and goes back to the reserve when it is far away.
 bool bleeds_through_the_breach(const Run& run)
 {
     const Vessel vessel = make_vessel(run.scenario);

@@ -62,8 +62,8 @@ comparison::ComparisonResult compare_faulty(const Faults& faults, const std::str
     return compare(scenario(), candidate, precision, frames);
 }
 
-/// Another scenario is computed than should be, from frame 0: pressures, and with them the bounds, are still
-/// small.
+/// Another scenario is computed than should be, from frame 0: pressures,
+/// and with them the bounds, are still small.
 comparison::ComparisonResult compare_other(const Scenario& other, const std::string& precision)
 {
     Candidate candidate(other, starts()[0], precision);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The study of the suite's sensitivity, on checks made for it: it finds what can be found, and says what
-// can't.
+// The study of the suite's sensitivity, on checks made for it:
+// it finds what can be found, and says what can't.
 #include "verification/sensitivity/report.hpp"
 
 #include <boost/test/unit_test.hpp>

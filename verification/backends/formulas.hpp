@@ -63,8 +63,8 @@ public:
     Equations& operator=(const Equations&) = delete;
     Equations& operator=(Equations&&) = delete;
 
-    // Section 3.1: (1), the kernel of (4)-(6), the Laplacian of (7) with the support radius 2 h, (4), EOS;
-    // (15)
+    // Section 3.1: (1), the kernel of (4)-(6), the Laplacian
+    // of (7) with the support radius 2 h, (4), EOS; (15)
     virtual Vec3 momentum_force(double rho, const Vec3& g, const Vec3& F_viscosity,
                                 const Vec3& F_pressure) const = 0;
     virtual double kernel_value(KernelName name, double h, double r) const = 0;

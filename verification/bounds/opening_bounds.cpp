@@ -249,8 +249,8 @@ void OpeningBounds::cross(const Particles& before, const Particles& after, std::
     }
 }
 
-/// Whether rounding decides if ghost i becomes blood or leaves its slab; where others are placed depends on
-/// it.
+/// Whether rounding decides if ghost i becomes blood or leaves its slab;
+/// where others are placed depends on it.
 bool OpeningBounds::may_enter_or_leave(const Particles& p, std::size_t i, const ParticleErrors& errors) const
 {
     const auto k = static_cast<std::size_t>(std::ranges::find(ghost_kind, p.kind[i]) - ghost_kind.begin());

@@ -32,8 +32,8 @@ struct RecordedHashes {
 std::filesystem::path hash_file(const std::filesystem::path& scenario_file, const Scenario& scenario,
                                 const std::string& precision);
 
-/// CSV behind a comment that names scenario, the hash of its text, the precision and the version that made
-/// them.
+/// CSV behind a comment that names scenario, the hash of its text,
+/// the precision and the version that made them.
 std::string to_csv(const RecordedHashes& hashes);
 
 /// \throws InputError that names file and line when the file isn't as it was written, or is of another

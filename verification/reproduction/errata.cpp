@@ -17,8 +17,7 @@ std::vector<std::vector<std::string>> other_errata()
         {"Table 1", "alpha has no unit; (23) needs 1/m", "1.1 per meter"},
         {"Table 1", "tissue areas of 10 to 20 m^2 don't belong to an artery of millimeters",
          "the constants are kept in SI numbers, which makes the length unit a free value: artery radii of "
-         "0.3 to "
-         "0.5 m fit them"},
+         "0.3 to 0.5 m fit them"},
         {"(16), section 3.2", "the force F_b is compared with the pressure P_c",
          "a conversion area of 1 m^2, named in the scenario"},
         {"(16)", "the force on one particle depends on the particle's size",

@@ -106,8 +106,7 @@ std::string which_run(const Typical& typical)
            " Pa (calibrated: " + number(calibrated_scenario().rupture.yield_limit_pa) +
            " Pa), whose wall ruptures in frame " + std::to_string(typical.frame) +
            ": of the ensemble of Table 4, with Y up to a third off, the nearest to the paper's 2299 that "
-           "lets the last "
-           "pictures show the bleeding.";
+           "lets the last pictures show the bleeding.";
 }
 
 Section frames_figure(Reproduction& reproduction, const std::string& id, const std::string& title,

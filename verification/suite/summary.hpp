@@ -36,9 +36,8 @@ struct Tally {
 };
 Tally tally(const CheckResult& result);
 
-/// Whether it compares the program itself with an answer found without it: only such a check can show that
-/// an equation holds. The others, of oracles and of runs with one another, can only show that something
-/// fails.
+/// Whether it compares the program itself with an answer found without it: only such a check can show that an
+/// equation holds. The others, of oracles and of runs with one another, can only show that something fails.
 bool is_evidence(const Check& check);
 
 enum class EquationVerdict {

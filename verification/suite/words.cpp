@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What levels, verdicts and sources of bounds are called, and what they mean to a reader who doesn't know the
-// code.
+// What levels, verdicts and sources of bounds are called,
+// and what they mean to a reader who doesn't know the code.
 #include "verification/suite/summary.hpp"
 
 namespace aneurysm::suite
@@ -30,12 +30,10 @@ std::string_view meaning_of(Level level)
     switch (level) {
     case Level::scalar:
         return "Each formula of the paper by itself, against answers found in other ways: formulas derived "
-               "by "
-               "hand, and numbers of the GNU Scientific Library or of a computation with 50 digits.";
+               "by hand, and numbers of the GNU Scientific Library or of a computation with 50 digits.";
     case Level::lattice:
         return "Sums over neighboring particles: of regular lattices, whose exact sums mathematics gives, "
-               "and "
-               "of disordered clouds, summed by brute force. Only rounding may separate them from ours.";
+               "and of disordered clouds, summed by brute force. Only rounding may separate them from ours.";
     case Level::transient:
         return "Whole flows, step by step, whose answer in the same steps is known: again only rounding may "
                "separate the two, or the stated tolerance of the solve for the pressure.";
@@ -45,9 +43,8 @@ std::string_view meaning_of(Level level)
                "does.";
     case Level::metamorphic:
         return "The same run told differently (in other units, interrupted, on more threads, moved in "
-               "space): "
-               "the result must be the same to the last bit, or within rounding where a sum runs in another "
-               "order.";
+               "space): the result must be the same to the last bit, or within rounding where a sum runs in "
+               "another order.";
     case Level::executors:
         return "The fast versions of the program against the plain one that reads like the paper. This shows "
                "that they are equivalent; that they are right follows from the other levels.";

@@ -26,8 +26,8 @@ void shear_wave(Probe& probe)
     Quantity& velocity =
         probe.quantity("velocity after 40 frames, relative to the wave's first [1]", Source::rounding,
                        "each step adds dt times the error of the decay rate's lattice sum, for oracle and "
-                       "subject, and gamma_8; no mode "
-                       "of the lattice grows, so that an error stays as large as it was");
+                       "subject, and gamma_8; no mode of the lattice grows, so that an error stays as large "
+                       "as it was");
     Scenario s = box_scenario();
     s.fluid.viscosity_pa_s = 16;
     Plot plot{"Decay of shear waves", "frame", "amplitude / first amplitude", false, true, {}};
@@ -87,8 +87,8 @@ void sound(Probe& probe)
     Quantity& frequency =
         probe.quantity("omega^2 of sound [1/s^2]", Source::truncation,
                        "the wave at amplitudes +-A and +-A/2 leaves the fourth order, the square of the "
-                       "second's share, which the two tell; "
-                       "rounding is gamma_202 of the density's change k A/2, + the oracle's lattice sum");
+                       "second's share, which the two tell; rounding is gamma_202 of the density's change k "
+                       "A/2, + the oracle's lattice sum");
     Scenario s = box_scenario();
     s.kernel.smoothing_length_spacings = 1.3;
     s.fluid.viscosity_pa_s = 0;
@@ -121,8 +121,7 @@ void slip(Probe& probe)
     Quantity& velocity =
         probe.quantity("velocity over the force's integral so far, largest 1 [1]", Source::rounding,
                        "each of n steps adds dt g and rounds twice, gamma_4 n of the largest sum; (7) adds "
-                       "gamma_60 of nothing but "
-                       "differences of that size");
+                       "gamma_60 of nothing but differences of that size");
     Scenario s = shipped_scenario("verify_slip_channel");
     const double weak = 0x1p-60; // moves nothing
     s.fluid.gravity_m_s2 = {weak, 0, 0};

@@ -21,8 +21,8 @@ constexpr double both_errors(double oracle_error, double u)
     return oracle_error * (1 + u / 0x1p-53);
 }
 
-/// int_0^t v dt of (25) as the inlet's ghosts move: the steps' sum of v_0 sin(2 pi k dt/T) dt, in closed form
-/// [m].
+/// int_0^t v dt of (25) as the inlet's ghosts move: the steps' sum
+/// of v_0 sin(2 pi k dt/T) dt, in closed form [m].
 double inlet_way(const Scenario& s, std::int64_t n)
 {
     const double half = std::numbers::pi * s.time.frame_s / s.inlet.cycle_s;
@@ -39,13 +39,13 @@ void duct(Probe& probe)
     const double L = static_cast<double>(s.domain.cells_y) * dx;
     Quantity& in = probe.quantity("particles in at the inlet", Source::exact,
                                   "integers: the slab's layers, dx apart and the first dx/2 away, pass the "
-                                  "plane when the way of the inlet has reached "
-                                  "them; frames in which it is nearer to that than gamma_4n L are left out");
+                                  "plane when the way of the inlet has reached them; frames in which it is "
+                                  "nearer to that than gamma_4n L are left out");
     Quantity& stored = probe.quantity(
         "particles stored in the duct, in - out", Source::truncation,
         "(3) keeps the volume: between two frames the duct holds rho_0 V within its density error, whose "
-        "mean is at most the "
-        "recorded largest one, and half a layer at each end that is counted whole or not at all");
+        "mean is at most the recorded largest one, and half a layer at each end that is counted whole or not "
+        "at all");
     Quantity& passed = probe.quantity(
         "particles that have passed the middle of the duct, against the inlet's way", Source::truncation,
         "what is between holds its volume: half the duct's particles times the largest density error, half a "
@@ -161,8 +161,7 @@ void outlet(Probe& probe)
     Quantity& velocity =
         probe.quantity("velocity of the rows at the outlet after one step [m/s]", Source::rounding,
                        "dt/rho times (n + 40 + 16) u of the oracle's lattice sum of |terms|, for oracle and "
-                       "subject, and gamma_60 of v + dt "
-                       "F/rho, the rest density's own rounding among it");
+                       "subject, and gamma_60 of v + dt F/rho, the rest density's own rounding among it");
     Quantity& plug =
         probe.quantity("velocity of the outlet's slab [m/s]", Source::rounding,
                        "gamma_80 of v + dt p/(rho_0 D): the mean over 72 particles, then eight operations");

@@ -18,8 +18,8 @@ void rows(Probe& probe)
     Quantity& pressure = probe.quantity(
         "pressure of each row [Pa]", Source::solver,
         "the solve's largest residual times how far a pressure may be off for each unit of it, from the "
-        "rows' own matrix, + "
-        "the oracle's bound and gamma_80 of the largest pressure times that matrix' condition");
+        "rows' own matrix, + the oracle's bound and gamma_80 of the largest pressure times that matrix' "
+        "condition");
     Quantity& velocity = probe.quantity("velocity of each row after the first step [m/s]", Source::solver,
                                         "the solve's largest residual times how far a velocity may be off "
                                         "for each unit of it, + the oracle's bound and "

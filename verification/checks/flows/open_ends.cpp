@@ -17,12 +17,11 @@ namespace aneurysm::checks
 namespace
 {
 
-constexpr double D = 3;       ///< depth of a slab [dx]
-constexpr double reach = 0.3; ///< how far before the inlet its slab pushes blood [dx]
-constexpr double entry = 0.7; ///< how near blood keeps a ghost from entering [dx]
-constexpr double depth = 2;   ///< how far before an outlet blood moves its slab [dx]
-constexpr double beside =
-    1e-4; ///< to either side of a limit, relative; far more than single precision rounds
+constexpr double D = 3;         ///< depth of a slab [dx]
+constexpr double reach = 0.3;   ///< how far before the inlet its slab pushes blood [dx]
+constexpr double entry = 0.7;   ///< how near blood keeps a ghost from entering [dx]
+constexpr double depth = 2;     ///< how far before an outlet blood moves its slab [dx]
+constexpr double beside = 1e-4; ///< to either side of a limit, relative; far more than float rounds
 constexpr std::array<Kind, 3> ghost{Kind::inlet, Kind::outlet_1, Kind::outlet_2};
 
 /// A particle on the way to or from open end k: where it is when it has moved, if nothing holds it, and what

@@ -216,8 +216,8 @@ void bookkeeping(Probe& probe)
     const Scenario s = shipped_scenario("quick");
     Quantity& reserve = probe.quantity("change of the reserve in a frame", Source::exact,
                                        "integers: what was recycled, less what came in, each of which takes "
-                                       "one, plus what found none; frames "
-                                       "in which a slab turns inwards and is put back are left out");
+                                       "one, plus what found none; frames in which a slab turns inwards and "
+                                       "is put back are left out");
     const auto flow = probe.simulate(s);
     const auto first = std::ranges::count(flow->state().particles.kind, Kind::fluid);
     FrameRecord last;
@@ -266,8 +266,7 @@ void impact(Probe& probe)
     Quantity& force =
         probe.quantity("F_b against m |dv|/dt of the particle that made it [N]", Source::rounding,
                        "m/dt times gamma_4 of both velocities and gamma_60 of the acceleration's three "
-                       "parts, each of the size of F_b or of "
-                       "g, whose sum the frame rounds in another order");
+                       "parts, each of the size of F_b or of g, whose sum the frame rounds in another order");
     Quantity& others =
         probe.quantity("m |dv|/dt of the others in S, no larger than F_b [N]", Source::rounding,
                        "as of F_b: m/dt gamma_4 of both velocities and gamma_60 of F_b and m g");
@@ -334,8 +333,7 @@ std::vector<Check> wall_history_checks()
          .level = Level::transient,
          .equations = {"13", "17", "18", "19", "20", "21", "22", "28"},
          .title = "in a run to rupture the wall does what its impact forces say: radius, thickness, critical "
-                  "pressure, "
-                  "displacement, phases",
+                  "pressure, displacement, phases",
          .oracles = {"linear system of (17)-(20) by elimination", "product of (22) by logarithms",
                      "impulse response of (28)'s steps"},
          .scope = Scope::flows,

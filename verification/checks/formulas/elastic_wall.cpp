@@ -31,9 +31,9 @@ backends::WallMotion advance(const backends::Equations& equations, const Oscilla
     return state;
 }
 
-/// Rounding of n steps: each rounds u and v once on their own size and four times on the change of v, w dt
-/// times that of u; an error lives on as an oscillation of 1/cos(theta/2) < 1.01 times its size for w dt <
-/// 0.2.
+/// Rounding of n steps: each rounds u and v once on their own size and four times
+/// on the change of v, w dt times that of u; an error lives on as an oscillation
+/// of 1/cos(theta/2) < 1.01 times its size for w dt < 0.2.
 double step_rounding(double size, double dt, int n)
 {
     return 1.01 * n * size * (rounding(2) + rounding(5) * wall.frequency() * dt);
@@ -212,9 +212,8 @@ void eq28_column(Probe& probe)
     Quantity& frequency = probe.quantity(
         "(theta/e - 1)/e^2 less its leading term, e = dt sqrt(k/(m + M)) [1]", Source::truncation,
         "two-sided: the steps' angle is theta = e (1 + (1/12 + r/2 - 5 r^2/4) e^2/2 + ...), r = M/(m + M), "
-        "the "
-        "next coefficient is below 1/12; the angle by three differences of u, each off by the rounding of u, "
-        "over e^3");
+        "the next coefficient is below 1/12; the angle by three differences of u, each off by the rounding "
+        "of u, over e^3");
     const double F = 1.3;
     const double M = wall.m / 2;
     const double r = M / (wall.m + M);

@@ -18,8 +18,8 @@ namespace aneurysm::checks
 namespace
 {
 
-/// Flows whose viscosity, pressure, gravity and inertia are of about the same size, each at a point of its
-/// own.
+/// Flows whose viscosity, pressure, gravity and inertia are of about
+/// the same size, each at a point of its own.
 template <class Look>
 void for_all_flows(Look look)
 {

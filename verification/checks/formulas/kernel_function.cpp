@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel W of (4)-(6), its gradient, and the Laplacian of (7): values, and the integrals that they stand
-// for.
+// The kernel W of (4)-(6), its gradient, and the Laplacian of (7):
+// values, and the integrals that they stand for.
 #include "analytic/kernel_function.hpp"
 #include "analytic/exact/kernel.hpp"
 #include "verification/checks/arguments.hpp"

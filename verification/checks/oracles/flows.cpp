@@ -178,8 +178,7 @@ void slow_pulse(Probe& probe)
     Quantity& quantity = probe.quantity(
         "Womersley's profile - Poiseuille's of the force at the time [m/s]", Source::truncation,
         "|du/dt| acts as a force of at most omega max u, max u = the steady "
-        "flow's crest: by the maximum principle omega (crest)^2/g; rounding of the "
-        "cancelling bracket");
+        "flow's crest: by the maximum principle omega (crest)^2/g; rounding of the cancelling bracket");
     for (const Section section : sections) {
         const Duct duct{section, a, nu};
         for (const double alpha : {1e-3, 1e-2, 0.1, 0.5}) {

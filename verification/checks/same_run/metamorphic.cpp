@@ -74,8 +74,7 @@ Scenario in_units(Scenario scenario, const Units& u)
 }
 
 constexpr const char* same_bits = "bits: multiplying by powers of two is exact, and so every sum, product, "
-                                  "quotient and root of the run only changes its "
-                                  "exponent";
+                                  "quotient and root of the run only changes its exponent";
 
 void units(Probe& probe)
 {
@@ -161,8 +160,8 @@ SimulationState frame_of(const Probe& probe, const Scenario& s, SimulationState 
     return flow->state();
 }
 
-/// The reference's neighbors come in the order of their indices, so that a picture of a box has the same
-/// sums.
+/// The reference's neighbors come in the order of their indices,
+/// so that a picture of a box has the same sums.
 void pictures(Probe& probe)
 {
     Quantity& mirrored =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same run with its particles numbered otherwise, in memory full of other bytes, in half steps: to the
-// same bits.
+// The same run with its particles numbered otherwise, in memory full
+// of other bytes, in half steps: to the same bits.
 #include "common/scenario/shipped.hpp"
 #include "verification/checks/box.hpp"
 #include "verification/checks/checks.hpp"

@@ -69,8 +69,8 @@ void pressure(Probe& probe)
     s.pressure.density_correction = 0.5;
     Quantity& momentum = probe.quantity("sum of the velocities' changes by the solve [m/s]", Source::rounding,
                                         "gamma_2n, n = 64 particles, of the sum of |terms|, dt 2 p m/rho_0^2 "
-                                        "times the steepest slope for each pair, and "
-                                        "gamma_2 of the velocities; exactly the pairs cancel");
+                                        "times the steepest slope for each pair, and gamma_2 of the "
+                                        "velocities; exactly the pairs cancel");
     Quantity& angular =
         probe.quantity("sum of places x changes [m^2/s]", Source::rounding,
                        "the same times the drop's reach: the forces of (3) point along the pairs");
@@ -102,8 +102,8 @@ void viscosity(Probe& probe)
     Quantity& momentum = probe.quantity(
         "sum of the velocities' changes by friction [m/s]", Source::rounding,
         "gamma_2n, n = 64 particles, of the sum of |terms|, dt mu m/rho^2 lap W(0) times the speeds of both "
-        "for each pair, and "
-        "gamma_2 of the velocities; exactly the pairs cancel, since m_i/rho_i m_j/rho_j is that of j and i");
+        "for each pair, and gamma_2 of the velocities; exactly the pairs cancel, since m_i/rho_i m_j/rho_j "
+        "is that of j and i");
     const Box box = drop(probe, s, 0.5);
     const auto flow = probe.simulate(s, box.state());
     flow->advance();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section 3.1, (3): the pressure solve of one frame in the periodic box. On a full lattice the iteration acts
-// on every wave by itself, by a known factor, so that its pressures and the number of its iterations are
-// known beforehand.
+// Section 3.1, (3): the pressure solve of one frame in the periodic box.
+// On a full lattice the iteration acts on every wave by itself, by a known factor,
+// so that its pressures and the number of its iterations are known beforehand.
 #include "analytic/incompressible.hpp"
 #include "common/error.hpp"
 #include "verification/checks/box.hpp"
@@ -188,8 +188,8 @@ void iteration_count(Probe& probe)
     Quantity& residual = probe.quantity(
         "mean residual where it stops [1/s]", Source::rounding,
         "a mean is at most the quadratic mean: twice that of the pressures' rounding after the iterations, "
-        "since an iteration "
-        "changes no wave by more than that, + the last evaluation's own, over omega rho_0^2 alpha/dt");
+        "since an iteration changes no wave by more than that, + the last evaluation's own, over omega "
+        "rho_0^2 alpha/dt");
     const Scenario s = solve_scenario(KernelName::cubic_spline);
     const std::vector<Push> pushes{{{1, 0, 0}, {0.25, 0, 0}}};
     Box box(probe, s);
@@ -264,8 +264,8 @@ void relaxation_limit(Probe& probe)
     }
 }
 
-/// beta (rho - rho_0)/dt: what the density of a disturbed cloud adds, when nothing moves and no iteration is
-/// made.
+/// beta (rho - rho_0)/dt: what the density of a disturbed cloud adds,
+/// when nothing moves and no iteration is made.
 void density_part(Probe& probe)
 {
     const double u = probe.roundoff();
@@ -393,8 +393,7 @@ void first_iteration(Probe& probe)
     Quantity& pressure = probe.quantity(
         "pressure after one iteration from 0 [Pa]", Source::rounding,
         "omega rho_0^2/dt times the bounds of the residual's sums (5) and (2) times alpha, and of alpha's "
-        "sums "
-        "times the residual, for oracle and subject, + gamma_12 of the product and of its two terms");
+        "sums times the residual, for oracle and subject, + gamma_12 of the product and of its two terms");
     Quantity& acting = probe.quantity("particles that are pressed", Source::exact,
                                       "a claim: some are and some aren't, else half of the rule isn't seen");
     Scenario s = solve_scenario(KernelName::cubic_spline);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Disturbed blood between two plates: what the wall's ghosts add to every sum of section 3.1, against all
-// pairs.
+// Disturbed blood between two plates: what the wall's ghosts add
+// to every sum of section 3.1, against all pairs.
 #include "common/scenario/shipped.hpp"
 #include "verification/checks/box.hpp"
 #include "verification/checks/checks.hpp"
