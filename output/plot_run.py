@@ -1,11 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws a run: F_b against P_c, R and h over frames, and a slice through the blood.
-
-    python3 output/plot_run.py results/paper_tc1 [FRAME] [--out picture.png]
-
-Needs Debian's python3-matplotlib and python3-h5py. FRAME: of the slice, one for which particles were written; the last
-by default."""
+"""Draws a run: F_b against P_c, R and h over the frames, and a slice through the blood. Needs python3-matplotlib and
+python3-h5py."""
 
 import argparse
 import csv
@@ -49,12 +45,12 @@ def draw_force(axes, data):
 def draw_wall(axes, data):
     shade_phases(axes, data)
     axes.plot(data["frame"], data["radius_m"], color="tab:green", label="$R$ [m]")
-    axes.set(xlabel="frame", ylabel="R [m]")
+    axes.set(xlabel="frame", ylabel="R [m]", ylim=(0, None))
     thickness = axes.twinx()
     thickness.plot(data["frame"], [1000 * h for h in data["thickness_m"]], color="tab:purple", label="$h$ [mm]")
-    thickness.set_ylabel("h [mm]")
-    axes.legend(loc="upper left", fontsize=8)
-    thickness.legend(loc="lower left", fontsize=8)
+    thickness.set(ylabel="h [mm]", ylim=(0, None))
+    axes.legend(loc="lower left", fontsize=8)
+    thickness.legend(loc="lower right", fontsize=8)
 
 
 def particle_file(run, frame):
@@ -81,10 +77,12 @@ def draw_slice(figure, axes, file):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("run", type=pathlib.Path)
-    parser.add_argument("frame", type=int, nargs="?")
-    parser.add_argument("--out", type=pathlib.Path)
+    parser = argparse.ArgumentParser(
+        description=__doc__, epilog="Example: python3 output/plot_run.py results/paper_tc1 2800 --out run.png"
+    )
+    parser.add_argument("run", type=pathlib.Path, help="run directory, as of `aneurysm run --out`")
+    parser.add_argument("frame", type=int, nargs="?", help="of the slice; one with particles (default: the last)")
+    parser.add_argument("--out", type=pathlib.Path, help="picture to write (default: run.png in the run directory)")
     arguments = parser.parse_args()
     data = read_columns(arguments.run)
     figure = plt.figure(figsize=(11, 5.5), layout="constrained")

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <iomanip>
 #include <sstream>
 
@@ -62,21 +63,63 @@ Totals totals_of(const Scenario& scenario, const std::vector<FrameRecord>& recor
     return t;
 }
 
-std::string wall_line(const Scenario& scenario, const FrameRecord& last, const Totals& t)
+bool has_sac(const Scenario& scenario)
 {
-    if (scenario.aneurysm.shape == SacShape::none) {
-        return "no aneurysm";
+    return scenario.aneurysm.shape != SacShape::none;
+}
+
+/// The sac and what hits it; empty without a sac.
+std::string wall_lines(const Scenario& scenario, const FrameRecord& last, const Totals& t)
+{
+    if (!has_sac(scenario)) {
+        return {};
     }
     std::ostringstream text;
-    text << output::name_of(last.phase);
+    text << std::setprecision(4) << "  wall           " << name_of(last.phase);
     if (t.rupture_frame >= 0) {
         text << " in frame " << t.rupture_frame;
     }
-    text << std::setprecision(4) << "; R " << last.radius << " m, h " << last.thickness << " m";
+    text << "; at the end R " << last.radius << " m, h " << last.thickness << " m\n";
+    if (t.settled_frames > 0) {
+        text << "  impact         hardest in frame " << t.ratio_frame << ": F_b over the conversion area was "
+             << t.largest_ratio << " P_c; at the end F_b " << last.impact_force << " N, P_c "
+             << last.critical_pressure << " Pa\n";
+    }
     return text.str();
 }
 
-/// Blood in, blood out and what stayed, over the last whole cycle; empty before the first.
+/// Net particles, as in "550 out at the outlets" or "550 back in at the outlets".
+std::string net(std::int64_t count, const char* forward, const char* back)
+{
+    return std::to_string(std::abs(count)) + (count < 0 ? back : forward);
+}
+
+/// Where the particles are, and which way they went since the start.
+std::string particle_lines(const Scenario& scenario, const FrameRecord& last, const Totals& t)
+{
+    std::ostringstream text;
+    text << "  particles      " << last.total << (t.constant ? " in every frame" : ", NOT CONSTANT") << "; "
+         << last.fluid << " of them blood at the end, the others ghosts of open ends and reserve\n";
+    const Ledger& l = last.ledger;
+    if (l.inlet_in + l.inlet_out + l.outlet_in + l.outlet_out > 0) {
+        text << "  flow, net      " << net(l.inlet_in - l.inlet_out, " in", " back out") << " at the inlet, "
+             << net(l.outlet_out - l.outlet_in, " out", " back in") << " at the outlets";
+        if (has_sac(scenario)) {
+            text << ", " << l.escaped << " through the breach";
+        }
+        text << " [particles]\n";
+    }
+    if (has_sac(scenario)) {
+        text << "  leaks          at most " << t.outside << " particles beyond the wall before rupture\n";
+    }
+    if (l.missed > 0) {
+        text << "  RESERVE        was empty for " << l.missed
+             << " particles: raise particles.reserve_fraction\n";
+    }
+    return text.str();
+}
+
+/// Blood in, blood out and what stayed, over the last whole cycle; empty before the first and without ends.
 std::string volume_line(const Scenario& scenario, const std::vector<FrameRecord>& records)
 {
     const auto cycle = static_cast<std::size_t>(std::lround(scenario.inlet.cycle_s / scenario.time.frame_s));
@@ -89,10 +132,13 @@ std::string volume_line(const Scenario& scenario, const std::vector<FrameRecord>
     const Ledger& b = last.ledger;
     const std::int64_t in = b.inlet_in + b.outlet_in - a.inlet_in - a.outlet_in;
     const std::int64_t out = b.inlet_out + b.outlet_out + b.escaped - a.inlet_out - a.outlet_out - a.escaped;
+    if (in + out == 0) {
+        return {};
+    }
     std::ostringstream text;
-    text << "  volume         last cycle: " << in << " particles in = " << out << " out + "
-         << last.fluid - first.fluid << " more in the artery"
-         << (in == out + last.fluid - first.fluid ? "" : ", WHICH DOESN'T BALANCE") << "\n";
+    text << "  last cycle     " << in << " particles in = " << out << " out + " << last.fluid - first.fluid
+         << " more in the artery" << (in == out + last.fluid - first.fluid ? "" : ", WHICH DOESN'T BALANCE")
+         << "\n";
     return text.str();
 }
 
@@ -123,22 +169,8 @@ std::string summary(const Scenario& scenario, const std::vector<FrameRecord>& re
     std::ostringstream text;
     text << std::setprecision(4);
     text << "  frames         " << last.frame << " (" << last.time << " s)\n";
-    text << "  wall           " << wall_line(scenario, last, t) << "\n";
-    if (t.settled_frames > 0 && scenario.aneurysm.shape != SacShape::none) {
-        text << "  impact         F_b " << last.impact_force << " N, P_c " << last.critical_pressure
-             << " Pa; F_b per area reached " << t.largest_ratio << " P_c in frame " << t.ratio_frame << "\n";
-    }
-    text << "  particles      " << last.total << (t.constant ? " throughout" : ", NOT CONSTANT") << "; "
-         << last.fluid << " in the artery, at most " << t.outside << " beyond the wall before rupture\n";
-    const Ledger& l = last.ledger;
-    text << "  flow           " << l.inlet_in - l.inlet_out << " particles in at the inlet, "
-         << l.outlet_out - l.outlet_in << " out at the outlets, " << l.escaped
-         << " through the breach (net)\n";
-    text << volume_line(scenario, records);
-    if (l.missed > 0) {
-        text << "  RESERVE        was empty for " << l.missed
-             << " particles: raise particles.reserve_fraction\n";
-    }
+    text << wall_lines(scenario, last, t) << particle_lines(scenario, last, t)
+         << volume_line(scenario, records);
     if (t.settled_frames > 0) {
         text << error_lines(scenario, t);
     }
