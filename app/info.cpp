@@ -51,8 +51,10 @@ std::string flow_info(const Scenario& s)
         .add("spacings that the inlet moves in a step", v_0 * step / dx)
         .add("step", step, "s")
         .add("  its limit by convection, about", limits.convective, "s")
-        .add("  its limit by viscosity, about", limits.viscous, "s")
-        .add("  its limit by sound (model eos), about", limits.acoustic, "s");
+        .add("  its limit by viscosity, about", limits.viscous, "s");
+    if (s.pressure.model == PressureModel::eos) {
+        lines.add("  its limit by sound, about", limits.acoustic, "s");
+    }
     if (s.domain.form != DomainForm::artery) {
         return lines.text();
     }
@@ -100,7 +102,7 @@ std::string program_info()
          << "  commit    " << build.commit << "\n"
          << "  compiler  " << build.compiler << "\n"
          << "  flags     " << build.flags << "\n"
-         << "  backends  reference (double)\n";
+         << "  backends  reference: double; cpu, cuda: float, double\n";
     return text.str();
 }
 
@@ -122,7 +124,7 @@ std::string scenario_info(const Scenario& scenario)
     std::ostringstream text;
     text << scenario.name << ": " << scenario.description << "\n"
          << "  hash " << scenario_hash(scenario) << "\n"
-         << flow_info(scenario) << wall_info(scenario) << "Assumed, since the paper gives no value:\n";
+         << flow_info(scenario) << wall_info(scenario) << "Other than the paper's, or not given by it:\n";
     for (const auto& [path, why] : scenario.assumed) {
         text << "  " << path << ": " << why << "\n";
     }

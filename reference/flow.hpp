@@ -34,7 +34,7 @@ struct FlowStep {
     std::vector<Vec3> velocity;    ///< by particle, at the end of the step [m/s]
 };
 
-/// Where a flow step is when it lets itself be observed, in this order.
+/// The moments of a flow step at which an observer may look into it, in this order.
 enum class FlowStage {
     begun,     ///< nothing done
     driven,    ///< the open ends' ghosts have their velocities
@@ -44,7 +44,7 @@ enum class FlowStage {
     exchanged, ///< the controller has acted
 };
 
-/// Looks into a flow step: rounding bounds follow from what it sees.
+/// An observer of a flow step; bounds of rounding follow from what it sees.
 class FlowObserver
 {
 public:

@@ -178,8 +178,8 @@ void OpeningBounds::hold(const SimulationState& moved, double t, ParticleErrors&
     }
 }
 
-/// x - max(0, beyond) n and v - max(0, v_inlet - inward) n: neither moves by more than what it is made from;
-/// the second sets in with a jump at the piston's reach.
+/// The piston of the inlet: x - max(0, beyond) n and v - max(0, v_inlet - inward) n. The error of a maximum
+/// with 0 is at most that of its argument. At the piston's reach the velocity sets in with a jump.
 void OpeningBounds::push(const Particles& p, const Inexact& v_inlet, ParticleErrors& errors) const
 {
     const Vec3& n = wall_->vessel().openings()[0].outward;

@@ -34,7 +34,7 @@ struct CheckResult {
     double seconds = 0;
 };
 
-/// All of a run of the suite, in the order of checks and, within one, of subjects.
+/// The result of a run of the suite: one for each check and subject, by check first.
 struct SuiteResult {
     std::vector<SuiteSubject> subjects;
     std::vector<CheckResult> results{};
