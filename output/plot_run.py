@@ -45,10 +45,10 @@ def draw_force(axes, data):
 def draw_wall(axes, data):
     shade_phases(axes, data)
     axes.plot(data["frame"], data["radius_m"], color="tab:green", label="$R$ [m]")
-    axes.set(xlabel="frame", ylabel="R [m]", ylim=(0, None))
+    axes.set(xlabel="frame", ylabel="R [m]")
     thickness = axes.twinx()
     thickness.plot(data["frame"], [1000 * h for h in data["thickness_m"]], color="tab:purple", label="$h$ [mm]")
-    thickness.set(ylabel="h [mm]", ylim=(0, None))
+    thickness.set_ylabel("h [mm]")
     axes.legend(loc="lower left", fontsize=8)
     thickness.legend(loc="lower right", fontsize=8)
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 
 namespace aneurysm::pictures
@@ -38,6 +39,21 @@ std::array<double, 2> values_of(FrameChart::Content content, const FrameRecord& 
     return content == FrameChart::Content::impact ? std::array{r.impact_force, r.critical_pressure}
                                                   : std::array{r.radius, 1000 * r.thickness};
 }
+
+/// The numbers of a line, and the part of an axis that shows them.
+struct AxisRange {
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0;
+
+    void add(double x)
+    {
+        low = std::min(low, x);
+        high = std::max(high, x);
+    }
+    double bottom() const { return std::min(low, high); }
+    /// With room for the legend; R and h that don't change yet have some, too.
+    double top() const { return high + 0.3 * std::max({high - bottom(), 0.01 * high, 1e-9}); }
+};
 
 vtkSmartPointer<vtkTable> make_table(const std::array<const char*, 3>& names)
 {
@@ -124,14 +140,15 @@ void FrameChart::set_axis(int axis, double low, double high)
 void FrameChart::show(const std::vector<FrameRecord>& records, std::int64_t warm_up_frames,
                       std::int64_t marked, std::int64_t last)
 {
-    std::array<double, 2> most{1e-9, 1e-9}; // the start's forces are many times those of the flow
+    std::array<AxisRange, 2> ranges; // without the warm-up, whose forces are many times those of the flow
     values_->SetNumberOfRows(0);
     for (const FrameRecord& record : records) {
         const std::array<double, 2> numbers = values_of(content_, record);
         set_row(*values_, values_->GetNumberOfRows(),
                 {static_cast<double>(record.frame), numbers[0], numbers[1]});
         if (record.frame > warm_up_frames || records.back().frame <= warm_up_frames) {
-            most = {std::max(most[0], numbers[0]), std::max(most[1], numbers[1])};
+            ranges[0].add(numbers[0]);
+            ranges[1].add(numbers[1]);
         }
     }
     while (values_->GetNumberOfRows() < 2) { // VTK complains about shorter lines
@@ -140,19 +157,19 @@ void FrameChart::show(const std::vector<FrameRecord>& records, std::int64_t warm
         set_row(*values_, values_->GetNumberOfRows(), {static_cast<double>(marked), numbers[0], numbers[1]});
     }
     if (content_ == Content::impact) {
-        most = {std::max(most[0], most[1]), std::max(most[0], most[1])};
+        ranges[0].add(ranges[1].high);
+        ranges[0].add(0);
     }
-    const double room = 1.3; // for the legend
     const auto frame = static_cast<double>(marked);
     mark_->SetNumberOfRows(0);
-    set_row(*mark_, 0, {frame, 0, 0});
-    set_row(*mark_, 1, {frame, room * most[0], 0});
+    set_row(*mark_, 0, {frame, ranges[0].bottom(), 0});
+    set_row(*mark_, 1, {frame, ranges[0].top(), 0});
     values_->Modified();
     mark_->Modified();
     const std::int64_t end = records.empty() ? last : std::max(last, records.back().frame);
     set_axis(vtkAxis::BOTTOM, 0, static_cast<double>(std::max<std::int64_t>(end, 1)));
-    set_axis(vtkAxis::LEFT, 0, room * most[0]);
-    set_axis(vtkAxis::RIGHT, 0, room * most[1]);
+    set_axis(vtkAxis::LEFT, ranges[0].bottom(), ranges[0].top());
+    set_axis(vtkAxis::RIGHT, ranges[1].bottom(), ranges[1].top());
     chart_->RecalculateBounds();
 }
 

@@ -31,7 +31,7 @@ def draw(axes, panel):
     axes.set(title=panel["title"], xlabel=panel["x_label"], ylabel=panel["y_label"])
     if panel["log_y"]:
         axes.set_yscale("log")
-    else:
+    elif not panel["y_label"].endswith("[m]"):  # R and h change by a part of themselves
         axes.set_ylim(0, panel["y_top"] or None)
     marks = any(series["style"] in ("points", "dots") for series in panel["series"])
     axes.margins(x=0.02 if marks else 0)

@@ -20,8 +20,8 @@ inline std::string kernel_text(KernelName name)
 
 /// Bound of the error of W(r) [1/m^3] by `roundings` on each term of the polynomial. Where the spline
 /// subtracts, for r < h, its terms' magnitudes add up to 1 + 3/2 + 3/4 times W(0) at most; elsewhere W is a
-/// product of exact differences. `of_r`: number of roundings of r before the call. q = r/h adds 2 more, and an
-/// error of q changes W, too.
+/// product of exact differences. `of_r`: number of roundings of r before the call. q = r/h adds 2 more,
+/// and an error of q changes W, too.
 inline double value_rounding(KernelName name, double h, double r, double of_r = 0, double roundings = 16)
 {
     const analytic::Exact W = analytic::exact_kernel(name, h, r, rounding(of_r + 2));
@@ -38,8 +38,8 @@ inline double power_rounding(KernelName name, double h, double r)
 }
 
 /// Bound of the error of each component of grad W at the distance r [1/m^4]. For r < h the spline's terms are
-/// 3 q and 9/4 q^2, whose sum is at most 7 times their difference. The length has 3 roundings, q = r/h adds 2,
-/// and `of_r` those of the vector itself.
+/// 3 q and 9/4 q^2, whose sum is at most 7 times their difference. The length has 3 roundings, q = r/h
+/// adds 2, and `of_r` those of the vector itself.
 inline double gradient_rounding(KernelName name, double h, double r, double of_r = 0)
 {
     const analytic::Exact slope = analytic::exact_kernel_slope(name, h, r, rounding(of_r + 5));
