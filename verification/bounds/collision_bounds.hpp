@@ -18,9 +18,7 @@ struct CollisionCounts {
     std::int64_t outside_possible = 0;
 };
 
-/// Rounding of collision handling (Fig. 1) and of the way out through the breach. The steps x - d n and
-/// v - 2 (v.n) n are followed with running errors; the position is continuous where a collision sets in, the
-/// velocity is not: when either may have happened, the difference counts.
+/// Rounding of collision handling (Fig. 1) and of the way out through the breach (docs/bounds.md, B26).
 class CollisionBounds
 {
 public:

@@ -18,9 +18,7 @@ struct InexactGhosts {
     std::vector<double> mass_error;     ///< [U kg]
 };
 
-/// Rounding of the wall's ghosts (27): their mass follows from a distance; their lattice points are computed
-/// in double and rounded once. Where a ghost is within rounding of the edge of sight or of the breach it may
-/// be there or not: its mass is uncertain by all of it.
+/// Rounding of the wall's ghosts (27), of their mass and of whether they are there (docs/bounds.md, B25).
 class GhostBounds
 {
 public:

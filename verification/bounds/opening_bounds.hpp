@@ -11,8 +11,7 @@ namespace aneurysm::bounds
 {
 
 /// Rounding of what happens at the three open ends: (25), the outlets' slabs, and the controller of section
-/// 3.4. Velocities of the slabs follow from sums over the blood before them; what crosses a plane, or stays
-/// before it, is a decision.
+/// 3.4 (docs/bounds.md, B27).
 class OpeningBounds
 {
 public:

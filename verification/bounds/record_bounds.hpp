@@ -17,8 +17,7 @@ struct Hit {
     Inexact force; ///< [N]
 };
 
-/// Between which numbers the candidate's record of a frame must lie, given the reference's. Largest and
-/// smallest values over a set lie between those over its certain members and those over its possible ones.
+/// Between which numbers the candidate's record of a frame must lie, given the reference's (docs/bounds.md, B28).
 class RecordBounds
 {
 public:

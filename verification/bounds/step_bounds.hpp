@@ -33,11 +33,7 @@ struct InexactForce {
     Inexact eos;   ///< with the equation of state [N]
 };
 
-/// How far two computations of one flow step can be apart, by particle [in U].
-///
-/// A sum of n terms t_j, in any order, is within n sum |t_j| of the exact one (Higham, section 4.2), to which
-/// come the terms' own errors, by the product rule: each factor's error times the magnitude of the others,
-/// and one unit for each operation. The sums run over all pairs that either side can see.
+/// How far two computations of one flow step can be apart, by particle [in U] (docs/bounds.md, B24).
 class StepBounds
 {
 public:
