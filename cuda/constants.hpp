@@ -93,6 +93,9 @@ Constants<Real> make_constants(const Scenario& s, const Setup& setup)
     c.omega = real(s.pressure.relaxation);
     c.blow_up_ratio = real(s.pressure.blow_up_density_ratio);
     c.impact_band = real(s.rupture.impact_band_spacings * setup.lattice.spacing);
+    c.probe_depth = real(s.controller.probe_depth_spacings) * c.dx;
+    c.piston_reach = real(s.controller.piston_reach_spacings) * c.dx;
+    c.closest_entry = real(s.controller.closest_entry_spacings) * c.dx;
     c.open_end = real(r_0);
     c.recycle_distance = real(s.rupture.recycle_distance_radii * r_0);
     c.breach_radius = real(s.rupture.breach_radius_radii * r_0);

@@ -2,6 +2,7 @@
 // What holds blood inside the wall, and the way back of what escapes through the breach.
 #pragma once
 
+#include "common/guards.hpp"
 #include "cuda/bodies.hpp"
 
 namespace aneurysm::device
@@ -34,7 +35,6 @@ struct Contain {
 private:
     ANEURYSM_HD void handle_collision(Index id, Vec3T<Real>& x, Vec3T<Real>& v) const
     {
-        constexpr int attempts = 8; // where surfaces are blended one step along the gradient may fall short
         if (f.has(x, deep_inside) || is_beyond(f, x, Real(0))) {
             return;
         }
@@ -49,14 +49,12 @@ private:
             return;
         }
         f.event[id] += collided;
-        for (int k = 0; k < attempts && d.value > 0; ++k) {
+        for (int k = 0; k < guards::collision_attempts && d.value > 0; ++k) {
             const Real slope = length(d.gradient);
             collide(x, v, d.value / slope, d.gradient / slope);
             d = f.c.vessel.wall(x, R);
         }
-        // beyond what rounding leaves
-        constexpr Real slack = sizeof(Real) == sizeof(float) ? Real(1e-4) : Real(1e-9);
-        f.event[id] += d.value > slack * f.c.dx ? outside : 0;
+        f.event[id] += d.value > guards::outside<Real> * f.c.dx ? outside : 0;
     }
 };
 

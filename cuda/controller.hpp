@@ -13,10 +13,6 @@
 namespace aneurysm::device
 {
 
-inline constexpr int probe_depth = 2;        ///< spacings before an outlet whose blood moves its slab
-inline constexpr double piston_reach = 0.3;  ///< spacings
-inline constexpr double closest_entry = 0.7; ///< spacings between blood and a ghost that may become blood
-
 ANEURYSM_HD constexpr Kind ghost_kind(Index k)
 {
     return k == 0 ? Kind::inlet : k == 1 ? Kind::outlet_1 : Kind::outlet_2;
@@ -67,7 +63,7 @@ enum Event : Index {
     outside = 256
 };
 
-/// Blood in the last two spacings before the outlets.
+/// Blood before the outlets, to the probe's depth.
 struct OutletProbe {
     double velocity[2] = {0, 0};
     double pressure[2] = {0, 0};
@@ -92,7 +88,7 @@ struct ProbeOutlets {
         OutletProbe probe;
         const Vec3T<Real> x = f.position[id].vector();
         for (Index k = 1; k <= 2 && f.kind[id] == Kind::fluid; ++k) {
-            if (opening(f, k).beyond(x) > -probe_depth * f.c.dx && nearest_tube(f, x) == k) {
+            if (opening(f, k).beyond(x) > -f.c.probe_depth && nearest_tube(f, x) == k) {
                 const Real v = dot(f.velocity[id].vector(), opening(f, k).outward);
                 probe.velocity[k - 1] = static_cast<double>(v);
                 probe.pressure[k - 1] = f.pressure[id] > 0 ? static_cast<double>(f.pressure[id]) : 0;
@@ -219,14 +215,14 @@ struct DriveSlabs {
     }
 };
 
-/// Blood within 0.3 dx of the inlet plane is not slower than
+/// Blood within the piston's reach of the inlet plane is not slower than
 /// a forward-moving inlet, and doesn't cross it backwards.
 template <class Real>
 ANEURYSM_HD void push_as_piston(const Fields<Real>& f, Real v_inlet, Vec3T<Real>& x, Vec3T<Real>& v)
 {
     const OpeningT<Real>& inlet = opening(f, 0);
     const Real beyond = inlet.beyond(x);
-    if (v_inlet < 0 || beyond < -static_cast<Real>(fault(eq25_reach, piston_reach)) * f.c.dx) {
+    if (v_inlet < 0 || beyond < -fault(eq25_reach, f.c.piston_reach)) {
         return;
     }
     const Real lacking = v_inlet + dot(v, inlet.outward);
@@ -247,13 +243,13 @@ ANEURYSM_HD void hold_back(const Fields<Real>& f, Index k, Vec3T<Real>& x, Vec3T
     }
 }
 
-/// Whether blood is nearer to ghost `id` than 0.7 dx, now that all have moved. The cells are those from
+/// Whether blood is too near to ghost `id`, now that all have moved. The cells are those from
 /// before the move, which is shorter than what they let a particle see.
 template <class Real>
 ANEURYSM_HD bool is_taken(const Fields<Real>& f, Index id)
 {
     const Vec3T<Real> x = f.position[id].vector();
-    const Real reach = static_cast<Real>(fault(sec34_entry, closest_entry)) * f.c.dx;
+    const Real reach = fault(sec34_entry, f.c.closest_entry);
     bool taken = false;
     const auto look = [&](Range range) {
         for (Index s = range.begin; s < range.end; ++s) {

@@ -60,6 +60,9 @@ struct Constants {
     Real omega = 0; ///< of the pressure's iteration
     Real blow_up_ratio = 0;
     Real impact_band = 0;      ///< [m]
+    Real probe_depth = 0;      ///< before an outlet: its slab moves with the blood in there [m]
+    Real piston_reach = 0;     ///< before the inlet: its slab pushes the blood in there [m]
+    Real closest_entry = 0;    ///< between blood and a ghost that may become blood [m]
     Real open_end = 0;         ///< nearer to an open end than this is not interior [m]
     Real recycle_distance = 0; ///< [m]
     Real breach_radius = 0;    ///< [m]

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/fault.hpp"
+#include "common/guards.hpp"
 #include "cuda/blood_flow.hpp"
 
 namespace aneurysm::device
@@ -87,9 +88,6 @@ ANEURYSM_INLINE Real projected(const Fields<Real>& f, Index i)
     return positive(f.p[i] + f.response[i] * residual(f, i));
 }
 
-/// A body whose factor is this many times the smallest is spray: pressure could hardly move it.
-inline constexpr int spray = 1000;
-
 /// The smallest DFSPH factor, as the largest of its inverse.
 struct LargestInverse {
     double value = 0;
@@ -125,7 +123,7 @@ struct StartSolve {
             p = neighbors_mean(i, lane);
         }
         if (lane.is_first()) {
-            const bool is_spray = !(static_cast<double>(f.alpha[i]) * largest->value <= spray);
+            const bool is_spray = !(static_cast<double>(f.alpha[i]) * largest->value <= guards::spray);
             f.p_old[i] = is_spray ? 0 : p; // the others' p is still to be read
             f.alpha[i] = is_spray ? 0 : f.alpha[i];
         }

@@ -2,6 +2,7 @@
 // How a fresh lattice finds its place between the walls, as in reference::Flow::settle.
 #pragma once
 
+#include "common/guards.hpp"
 #include "cuda/arrays.hpp"
 #include "cuda/passes.hpp"
 
@@ -52,13 +53,15 @@ public:
     /// From the lattice in device memory to the settled state, there and in `state`.
     void run(SimulationState& state)
     {
-        const int rounds = scenario_->pressure.density_correction > 0 ? 10 : 0;
-        // At rest a step finds nothing to correct once the mean excess is this; the factor is for rounding.
+        const auto& settling = scenario_->settling;
+        const std::int64_t rounds = scenario_->pressure.density_correction > 0 ? settling.rounds : 0;
+        // At rest a step finds nothing to correct once the mean excess is this.
         const double dt = scenario_->time.frame_s / static_cast<double>(scenario_->time.substeps);
-        const double allowed = 1.001 * scenario_->pressure.tolerance_per_s * dt / correction;
+        const double allowed =
+            guards::settling_slack * scenario_->pressure.tolerance_per_s * dt / settling.density_correction;
         executor_->once(BeginFrame{arrays_->scene(), arrays_->input()});
         executor_->for_each(fields().c.walls, PlaceWalls<Real>{fields()});
-        for (int round = 0; round < rounds; ++round) {
+        for (std::int64_t round = 0; round < rounds; ++round) {
             push_apart();
             find_densities();
             executor_->for_each(n_, Displaced<Real>{fields(), false});
@@ -73,18 +76,15 @@ public:
     }
 
 private:
-    static constexpr double correction = 0.25; ///< beta of (3)
-
     const Fields<Real>& fields() const { return arrays_->fields(); }
 
     void push_apart()
     {
-        constexpr int steps = 40;
-        // Particles too many for the space have no solution: their pressures would only rise.
-        const std::int64_t iterations = std::min<std::int64_t>(scenario_->pressure.max_iterations, 25);
-        for (int k = 0; k < steps; ++k) {
+        const auto& settling = scenario_->settling;
+        const std::int64_t iterations = std::min(scenario_->pressure.max_iterations, settling.max_iterations);
+        for (std::int64_t k = 0; k < settling.steps; ++k) {
             find_densities();
-            passes_->solve_incompressibility(fields(), correction, iterations, true);
+            passes_->solve_incompressibility(fields(), settling.density_correction, iterations, true);
             executor_->for_each(n_, Displaced<Real>{fields(), true});
             executor_->for_each(n_, Contain<Real>{fields()});
             passes_->exchange(fields());

@@ -55,7 +55,7 @@ double Controller::outlet_velocity(const Particles& particles, std::size_t k, do
     double count = 0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const Vec3& x = particles.position[i];
-        if (particles.kind[i] == Kind::fluid && end.beyond(x) > -probe_depth * dx_ &&
+        if (particles.kind[i] == Kind::fluid && end.beyond(x) > -settings_.probe_depth_spacings * dx_ &&
             vessel_->nearest_tube(x) == k) {
             velocity += dot(particles.velocity[i], end.outward);
             pressure += std::max(particles.pressure[i], 0.0);
@@ -106,7 +106,8 @@ void Controller::push_as_piston(Particles& particles, double v_inlet) const
     const Opening& inlet = vessel_->openings()[0];
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const double beyond = inlet.beyond(particles.position[i]);
-        if (particles.kind[i] != Kind::fluid || beyond < -fault(eq25_reach, piston_reach) * dx_) {
+        if (particles.kind[i] != Kind::fluid ||
+            beyond < -fault(eq25_reach, settings_.piston_reach_spacings) * dx_) {
             continue;
         }
         const double inward = -dot(particles.velocity[i], inlet.outward);
@@ -132,7 +133,8 @@ bool Controller::is_taken(const Particles& particles, const Vec3& x) const
 {
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const Vec3 d = difference(particles.position[i], x, vessel_->period());
-        if (particles.kind[i] == Kind::fluid && length(d) < fault(sec34_entry, closest_entry) * dx_) {
+        if (particles.kind[i] == Kind::fluid &&
+            length(d) < fault(sec34_entry, settings_.closest_entry_spacings) * dx_) {
             return true;
         }
     }

@@ -3,14 +3,11 @@
 #pragma once
 
 #include "common/frame.hpp"
+#include "common/scenario/scenario.hpp"
 #include "common/vessel/geometry.hpp"
 
 namespace aneurysm::reference
 {
-
-constexpr double probe_depth = 2.0;   ///< spacings before an outlet whose blood moves its slab
-constexpr double piston_reach = 0.3;  ///< spacings before the inlet in which its slab is a piston
-constexpr double closest_entry = 0.7; ///< spacings between blood and a ghost that may become blood
 
 /// Moves particles between the artery, its three open ends and the reserve.
 ///
@@ -23,8 +20,9 @@ class Controller
 {
 public:
     /// `patterns`: the three slabs as sampled.
-    Controller(const Vessel& vessel, double dx, std::array<std::vector<Vec3>, 3> patterns)
-        : vessel_(&vessel), dx_(dx), patterns_(std::move(patterns))
+    Controller(const Scenario::Controller& settings, const Vessel& vessel, double dx,
+               std::array<std::vector<Vec3>, 3> patterns)
+        : settings_(settings), vessel_(&vessel), dx_(dx), patterns_(std::move(patterns))
     {
     }
 
@@ -32,7 +30,7 @@ public:
     void drive_inlet(Particles& particles, double v_inlet) const;
 
     /// The next outward velocity of outlet k's slab, a body of blood D deep between the pressure p of the
-    /// blood in the last two spacings before the plane and p_outlet of (26):
+    /// blood before the plane, to the probe's depth, and p_outlet of (26):
     ///
     ///     v' = v + dt (p - p_outlet) / (rho_0 D)                                              [m/s]
     ///
@@ -50,7 +48,7 @@ public:
     /// artery one by one is not the even flow that should come back.
     void reset(Particles& particles, std::size_t k, Ledger& ledger) const;
 
-    /// Blood within 0.3 dx of the inlet plane is not slower than a forward-moving inlet, and doesn't cross it
+    /// Blood within the piston's reach of the inlet plane is not slower than a forward-moving inlet, and doesn't cross it
     /// backwards: the inlet is a piston. Without this, blood that drifts into the slab of a resting inlet
     /// overlaps its pattern.
     void push_as_piston(Particles& particles, double v_inlet) const;
@@ -71,6 +69,7 @@ private:
     void enter_artery(Particles& particles, Ledger& ledger) const;
     void cross_openings(Particles& particles, Ledger& ledger) const;
 
+    Scenario::Controller settings_;
     const Vessel* vessel_;
     double dx_;
     std::array<std::vector<Vec3>, 3> patterns_;

@@ -3,6 +3,7 @@
 
 #include "common/error.hpp"
 #include "common/fault.hpp"
+#include "common/guards.hpp"
 #include "common/scenario/limits.hpp"
 #include "common/vessel/body_force.hpp"
 #include "reference/boundary.hpp"
@@ -46,12 +47,10 @@ Flow::Flow(const Scenario& scenario, const Vessel& vessel, double dx, std::array
       dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)),
       kernel_(scenario.kernel.function, scenario.kernel.smoothing_length_spacings * dx),
       mass_(scenario.fluid.density_kg_m3 / lattice_kernel_sum(kernel_, dx)),
-      controller_(vessel, dx, std::move(slabs)), solver_{scenario.fluid.density_kg_m3,
-                                                         scenario.pressure.relaxation,
-                                                         scenario.pressure.density_correction,
-                                                         scenario.pressure.tolerance_per_s,
-                                                         scenario.pressure.max_tolerance_per_s,
-                                                         scenario.pressure.max_iterations},
+      controller_(scenario.controller, vessel, dx, std::move(slabs)),
+      solver_{scenario.fluid.density_kg_m3,          scenario.pressure.relaxation,
+              scenario.pressure.density_correction,  scenario.pressure.tolerance_per_s,
+              scenario.pressure.max_tolerance_per_s, scenario.pressure.max_iterations},
       density_(static_cast<std::size_t>(scenario.particles.count), scenario.fluid.density_kg_m3)
 {
     check_stability();
@@ -374,8 +373,6 @@ void Flow::record_impact(const FlowStep& step, const Particles& p, const Wall& w
 /// Fig. 1, and the way out through the breach.
 void Flow::handle_collisions(SimulationState& state, const Wall& wall, FrameRecord& record) const
 {
-    constexpr int attempts =
-        8; // where surfaces are blended, one step along the gradient may not reach the wall
     Particles& p = state.particles;
     record.outside = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -392,7 +389,7 @@ void Flow::handle_collisions(SimulationState& state, const Wall& wall, FrameReco
             continue;
         }
         ++record.collisions;
-        for (int k = 0; k < attempts && d.value > 0; ++k) {
+        for (int k = 0; k < guards::collision_attempts && d.value > 0; ++k) {
             const double slope = length(d.gradient);
             const Collision after =
                 collide(p.position[i], p.velocity[i], d.value / slope, d.gradient / slope);
@@ -400,7 +397,7 @@ void Flow::handle_collisions(SimulationState& state, const Wall& wall, FrameReco
             p.velocity[i] = after.velocity;
             d = vessel_->wall(p.position[i], wall.radius);
         }
-        record.outside += d.value > 1e-9 * dx_ ? 1 : 0; // beyond what rounding leaves
+        record.outside += d.value > guards::outside<double> * dx_ ? 1 : 0;
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/incompressible.hpp"
 
+#include "common/guards.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,11 +12,6 @@ namespace aneurysm::reference
 {
 namespace
 {
-
-/// A body whose factor is this many times the smallest is spray, a drop with one or two others at the edge of
-/// its sight. Pressure can hardly move it and would be without bound; it has none. In 600
-/// frames of paper_tc1 the ratio was at most 21.
-constexpr double spray = 1000;
 
 struct Statistics {
     double sum = 0;
@@ -45,7 +42,7 @@ public:
             smallest = alpha_[i] > 0 ? std::min(smallest, alpha_[i]) : smallest;
         }
         for (std::size_t i = 0; i < b.size(); ++i) {
-            if (!(alpha_[i] <= spray * smallest)) {
+            if (!(alpha_[i] <= guards::spray * smallest)) {
                 alpha_[i] = 0;
             }
             y_[i] = alpha_[i] > 0 ? y_[i] : 0;

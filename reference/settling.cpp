@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a fresh lattice finds its place between the walls before frame 1.
+#include "common/guards.hpp"
 #include "reference/flow.hpp"
 
 #include <algorithm>
@@ -8,20 +9,16 @@
 
 namespace aneurysm::reference
 {
-namespace
-{
-constexpr double settling_correction = 0.25; ///< beta of (3) while a fresh lattice settles
-} // namespace
 
 void Flow::settle(SimulationState& state, const Wall& wall) const
 {
-    // Each round takes out about what is left of the surplus.
     // What never corrects the density doesn't at the start.
-    const int rounds = scenario_->pressure.density_correction > 0 ? 10 : 0;
-    // At rest a step finds nothing to correct once the mean excess is this; 1.001 leaves room for rounding.
-    const double allowed = 1.001 * solver_.tolerance * dt_ / settling_correction;
+    const std::int64_t rounds = scenario_->pressure.density_correction > 0 ? scenario_->settling.rounds : 0;
+    // At rest a step finds nothing to correct once the mean excess is this.
+    const double allowed =
+        guards::settling_slack * solver_.tolerance * dt_ / scenario_->settling.density_correction;
     Particles& p = state.particles;
-    for (int round = 0; round < rounds; ++round) {
+    for (std::int64_t round = 0; round < rounds; ++round) {
         push_apart(state, wall);
         const FlowStep step = make_step(state, wall);
         std::vector<std::size_t> blood;
@@ -47,16 +44,12 @@ void Flow::settle(SimulationState& state, const Wall& wall) const
 
 void Flow::push_apart(SimulationState& state, const Wall& wall) const
 {
-    constexpr int steps = 40; // after 30 the largest excess density no longer falls
-    // Particles too many for the space have no solution, and the more iterations, the higher their pressures:
-    // with 50 the start of 2,200 particles blew up.
-    constexpr std::int64_t iterations = 25;
     Particles& p = state.particles;
     IncompressibleSettings settings = solver_;
-    settings.density_correction = settling_correction;
-    settings.max_iterations = std::min(settings.max_iterations, iterations);
+    settings.density_correction = scenario_->settling.density_correction;
+    settings.max_iterations = std::min(settings.max_iterations, scenario_->settling.max_iterations);
     FrameRecord record;
-    for (int k = 0; k < steps; ++k) {
+    for (std::int64_t k = 0; k < scenario_->settling.steps; ++k) {
         const FlowStep step = make_step(state, wall);
         std::vector<double> pressure(step.bodies.size(), 0);
         std::vector<Vec3> a(step.bodies.size());

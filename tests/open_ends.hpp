@@ -30,7 +30,7 @@ struct Artery {
     explicit Artery(double wrong_spacing = 0, double wrong_length = 0)
         : vessel(make_vessel(shipped_scenario("quick"))),
           lattice(sample_lattice(vessel, vessel.largest_radius(), dx)), seen(longer(wrong_length)),
-          controller(seen, dx * (1 + wrong_spacing), lattice.openings)
+          controller(shipped_scenario("quick").controller, seen, dx * (1 + wrong_spacing), lattice.openings)
     {
     }
     Artery(const Artery&) = delete;

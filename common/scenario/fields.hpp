@@ -323,6 +323,27 @@ void visit_boundaries(S& s, Visitor& v)
       i.table_velocity_m_s);
     v(Field{"outlet.pressure_pa", from(0), assumed(), "pressure at the outlets, p_const of (26) [Pa]"},
       s.outlet.pressure_pa);
+    auto& c = s.controller;
+    v(Field{"controller.probe_depth_spacings", above(0).to(100), assumed(),
+            "an outlet's slab moves with the blood that is nearer to its plane than this, in spacings"},
+      c.probe_depth_spacings);
+    v(Field{"controller.piston_reach_spacings", from(0).to(100), assumed(),
+            "the inlet's slab pushes the blood that is nearer to its plane than this, in spacings"},
+      c.piston_reach_spacings);
+    v(Field{"controller.closest_entry_spacings", from(0).to(1), assumed(),
+            "a ghost doesn't become blood where blood is nearer than this, in spacings"},
+      c.closest_entry_spacings);
+    auto& b = s.settling;
+    v(Field{"settling.rounds", from(0).to(1e6), assumed(),
+            "rounds at most in which the lattice of frame 0 is pushed apart and loses what doesn't fit"},
+      b.rounds);
+    v(Field{"settling.steps", from(1).to(1e6), assumed(), "steps of such a round"}, b.steps);
+    v(Field{"settling.max_iterations", from(1).to(1e6), assumed(),
+            "iterations of one pressure solve in it at most"},
+      b.max_iterations);
+    v(Field{"settling.density_correction", above(0).to(1), assumed(),
+            "part of the density error that one step of it removes"},
+      b.density_correction);
     v(Field{"output.particles_every_frames", from(0).to(1e9), setting(),
             "frames between particle files; 0: none"},
       s.output.particles_every_frames);

@@ -139,6 +139,19 @@ struct Scenario {
         double pressure_pa = 0; ///< p_const
     } outlet;
 
+    struct Controller {
+        double probe_depth_spacings = 0;   ///< before an outlet: its slab moves with the blood in there
+        double piston_reach_spacings = 0;  ///< before the inlet: its slab pushes the blood in there
+        double closest_entry_spacings = 0; ///< between blood and a ghost that may become blood
+    } controller;
+
+    struct {
+        std::int64_t rounds = 0;         ///< each pushes apart and takes out what doesn't fit; at most
+        std::int64_t steps = 0;          ///< of a round
+        std::int64_t max_iterations = 0; ///< of one pressure solve
+        double density_correction = 0;   ///< beta of (3)
+    } settling;
+
     struct {
         std::int64_t particles_every_frames = 0;  ///< VTK files; 0: none
         std::int64_t checkpoint_every_frames = 0; ///< 0: only at the end

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/bounds/collision_bounds.hpp"
 
+#include "common/guards.hpp"
 #include "verification/bounds/ghost_bounds.hpp"
 
 namespace aneurysm::bounds
 {
 namespace
 {
-constexpr int attempts = 8; ///< as in reference/flow.cpp
-
 /// The same vector, whose components may also be where `other` is.
 InexactVec covering(const InexactVec& a, const InexactVec& other, const Rounding& rounding)
 {
@@ -27,7 +26,7 @@ CollisionBounds::Path CollisionBounds::follow(const InexactVec& x, const Inexact
 {
     Path path{x, v};
     InexactDistance d = wall_->wall(x, R);
-    for (int k = 0; k < attempts; ++k) {
+    for (int k = 0; k < guards::collision_attempts; ++k) {
         const Truth beyond = is_positive(d.value, rounding_);
         if (beyond == Truth::no) {
             break;
@@ -57,7 +56,7 @@ CollisionBounds::Path CollisionBounds::follow(const InexactVec& x, const Inexact
         path.velocity = velocity;
         d = wall_->wall(path.position, R);
     }
-    path.outside = is_positive(d.value - Inexact{1e-9 * dx_, 0}, rounding_);
+    path.outside = is_positive(d.value - Inexact{guards::outside<double> * dx_, 0}, rounding_);
     return path;
 }
 

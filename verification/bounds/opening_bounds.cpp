@@ -4,7 +4,6 @@
 #include "common/scenario/limits.hpp"
 #include "common/vessel/sampling.hpp"
 #include "reference/boundary.hpp"
-#include "reference/controller.hpp"
 #include "verification/bounds/seam_bounds.hpp"
 
 #include <algorithm>
@@ -13,10 +12,6 @@
 
 namespace aneurysm::bounds
 {
-using reference::closest_entry;
-using reference::piston_reach;
-using reference::probe_depth;
-
 namespace
 {
 constexpr std::array<Kind, 3> ghost_kind{Kind::inlet, Kind::outlet_1, Kind::outlet_2};
@@ -98,7 +93,8 @@ Inexact OpeningBounds::outlet_velocity(const SimulationState& begun, std::size_t
 {
     const Particles& p = begun.particles;
     const Vec3& n = wall_->vessel().openings()[k].outward;
-    const Inexact probe{-probe_depth * dx_, 3 * probe_depth * dx_};
+    const double depth = scenario_->controller.probe_depth_spacings * dx_;
+    const Inexact probe{-depth, 3 * depth};
     std::vector<std::size_t> open;
     double count = 0;
     double v = 0;
@@ -183,7 +179,8 @@ void OpeningBounds::hold(const SimulationState& moved, double t, ParticleErrors&
 void OpeningBounds::push(const Particles& p, const Inexact& v_inlet, ParticleErrors& errors) const
 {
     const Vec3& n = wall_->vessel().openings()[0].outward;
-    const Inexact reach{-piston_reach * dx_, 3 * piston_reach * dx_};
+    const double before = scenario_->controller.piston_reach_spacings * dx_;
+    const Inexact reach{-before, 3 * before};
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (p.kind[i] != Kind::fluid) {
             continue;
@@ -265,7 +262,8 @@ bool OpeningBounds::may_enter_or_leave(const Particles& p, std::size_t i, const 
 /// Whether rounding decides if blood is too near to ghost i, at the place where it enters.
 bool OpeningBounds::is_taken_open(const Particles& p, std::size_t i, const ParticleErrors& errors) const
 {
-    const Inexact reach{closest_entry * dx_, 2 * closest_entry * dx_};
+    const double closest = scenario_->controller.closest_entry_spacings * dx_;
+    const Inexact reach{closest, 2 * closest};
     for (std::size_t j = 0; j < p.size(); ++j) {
         if (p.kind[j] == Kind::fluid) {
             const Inexact d = norm(shortest(inexact(p.position[j], errors.position[j]) -

@@ -18,9 +18,6 @@ namespace
 {
 
 constexpr double D = 3;         ///< depth of a slab [dx]
-constexpr double reach = 0.3;   ///< how far before the inlet its slab pushes blood [dx]
-constexpr double entry = 0.7;   ///< how near blood keeps a ghost from entering [dx]
-constexpr double depth = 2;     ///< how far before an outlet blood moves its slab [dx]
 constexpr double beside = 1e-4; ///< to either side of a limit, relative; far more than float rounds
 constexpr std::array<Kind, 3> ghost{Kind::inlet, Kind::outlet_1, Kind::outlet_2};
 
@@ -102,6 +99,7 @@ public:
 
     double dx() const { return start_.spacing; }
     double dt() const { return scenario_.time.frame_s; }
+    const Scenario::Controller& controller() const { return scenario_.controller; }
     double rho_0() const { return scenario_.fluid.density_kg_m3; }
     /// (25) in the step to this frame [m/s].
     double v_in(std::int64_t frame) const
@@ -263,6 +261,7 @@ Scene piston(const OpenEnds& ends)
 {
     Scene s = scene_of(ends, "piston", forth, {1, 1});
     const double v = ends.v_in(forth);
+    const double reach = ends.controller().piston_reach_spacings;
     s.visitors = {blood(0, -reach * (1 - beside), 0.5, -reach * (1 - beside), -v),
                   blood(0, -reach * (1 + beside), 0.5, -reach * (1 + beside), 0.5),
                   blood(0, -0.2, -1.2, -0.2, -v),
@@ -316,7 +315,7 @@ Scene entering_ghosts(const OpenEnds& ends)
 Scene nearby_blood(const OpenEnds& ends, bool near)
 {
     Scene s = scene_of(ends, near ? "blood in the way" : "blood out of the way", forth, {-1, -1});
-    const double distance = entry * (near ? 1 - beside : 1 + beside);
+    const double distance = ends.controller().closest_entry_spacings * (near ? 1 - beside : 1 + beside);
     const std::array<double, 3> outward{-ends.v_in(forth), -1, -1};
     for (const std::size_t k : {0U, 1U, 2U}) {
         const double z = -0.002;
@@ -347,6 +346,7 @@ Scene pushed_slabs(const OpenEnds& ends)
 {
     Scene s = scene_of(ends, "slabs that blood pushes", forth, {0.3, -0.2});
     s.p_const = 1000;
+    const double depth = ends.controller().probe_depth_spacings;
     for (std::size_t k = 1; k <= 2; ++k) {
         const double sign = k == 1 ? 1 : 0.6;
         // Looked at before it moves.

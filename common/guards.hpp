@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers that guard the arithmetic, the same in all backends. None is a choice of the model: each has to be
+// just large or small enough for what it guards.
+#pragma once
+
+namespace aneurysm::guards
+{
+
+/// A body whose factor in (3) is this many times the smallest is spray, a drop with one or two others at the
+/// edge of its sight. Pressure can hardly move it and would be without bound; it has none. In 600 frames of
+/// paper_tc1 the ratio was at most 21.
+constexpr double spray = 1000;
+
+/// Times that a particle beyond the wall is put back in a step at most: where surfaces are blended, one step
+/// along the gradient may not reach the wall.
+constexpr int collision_attempts = 8;
+
+/// A particle counts as outside when it is farther beyond the wall than what rounding leaves of a collision,
+/// in spacings; for float and for double.
+template <class Real>
+constexpr Real outside = sizeof(Real) == sizeof(float) ? Real(1e-4) : Real(1e-9);
+
+/// Times the density excess of a solve that found nothing to correct: that leaves room for rounding.
+constexpr double settling_slack = 1.001;
+
+} // namespace aneurysm::guards
