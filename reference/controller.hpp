@@ -48,9 +48,9 @@ public:
     /// artery one by one is not the even flow that should come back.
     void reset(Particles& particles, std::size_t k, Ledger& ledger) const;
 
-    /// Blood within the piston's reach of the inlet plane is not slower than a forward-moving inlet, and doesn't cross it
-    /// backwards: the inlet is a piston. Without this, blood that drifts into the slab of a resting inlet
-    /// overlaps its pattern.
+    /// Blood within the piston's reach of the inlet plane is not slower than a forward-moving inlet,
+    /// and doesn't cross it backwards: the inlet is a piston. Without this, blood that drifts into the slab
+    /// of a resting inlet overlaps its pattern.
     void push_as_piston(Particles& particles, double v_inlet) const;
 
     /// While outlet k's slab moves inwards, blood doesn't cross its plane outwards.

@@ -35,12 +35,14 @@ std::string read_text(const fs::path& file)
     return text.str();
 }
 
-void refuse_missing(const std::set<std::string>& present, Scenario& scenario, const std::string& origin)
+/// `where`: the missing key may be written.
+void refuse_missing(const std::set<std::string>& present, Scenario& scenario, const std::string& origin,
+                    const std::string& where)
 {
     fields::visit(scenario, [&](const Field& field, const auto&) {
         if (!present.contains(std::string(field.path))) {
             throw InputError(fields::place(origin, field.path), "missing key",
-                             "needed: " + std::string(field.doc) + ", here or in the file named by base");
+                             "needed: " + std::string(field.doc) + ", " + where);
         }
     });
 }
@@ -95,7 +97,7 @@ Scenario read_scenario(const fs::path& file)
     std::set<std::string> present;
     std::vector<fs::path> chain;
     read_onto(file, chain, scenario, present);
-    refuse_missing(present, scenario, file.string());
+    refuse_missing(present, scenario, file.string(), "here or in the file named by base");
     validate(scenario, file.string());
     return scenario;
 }
@@ -111,7 +113,8 @@ Scenario parse_scenario(const std::string& json, const std::string& origin)
     Scenario scenario;
     std::set<std::string> present;
     fields::apply(parsed, origin, scenario, present);
-    refuse_missing(present, scenario, origin);
+    refuse_missing(present, scenario, origin,
+                   "here; what a version without this key has recorded, only that version reads");
     validate(scenario, origin);
     return scenario;
 }
