@@ -22,17 +22,6 @@ VectorEstimate scaled(double factor, const VectorEstimate& x)
 
 } // namespace
 
-VectorEstimate momentum_force(const Medium& medium, double mu, const Eigen::Vector3d& g, const Wave& wave,
-                              double c, double s)
-{
-    const Eigen::Vector3d weight = medium.density * g;
-    const VectorEstimate viscous = viscosity_force(medium, mu, wave, c);
-    const VectorEstimate pressing = pressure_force(medium, wave, s);
-    const double size = weight.cwiseAbs().maxCoeff() + viscous.value.cwiseAbs().maxCoeff() +
-                        pressing.value.cwiseAbs().maxCoeff();
-    return {weight + viscous.value + pressing.value, viscous.error + pressing.error + 3 * u * size};
-}
-
 Estimate density_rate(const Medium& medium, const Wave& wave, double s)
 {
     const VectorEstimate G = gradient_sum(medium.lattice, wave.k);
@@ -41,26 +30,9 @@ Estimate density_rate(const Medium& medium, const Wave& wave, double s)
     return scaled(-medium.mass * s, {along, size * (G.error + 4 * u * G.value.cwiseAbs().maxCoeff())});
 }
 
-Estimate interpolated_wave(const Medium& medium, const Eigen::Vector3d& k, const Eigen::Vector3d& r)
-{
-    return scaled(medium.volume(), kernel_sum(medium.lattice, k, r));
-}
-
 Estimate density(const Medium& medium)
 {
     return scaled(medium.mass, kernel_sum(medium.lattice));
-}
-
-VectorEstimate pressure_force(const Medium& medium, const Wave& wave, double s)
-{
-    return scaled(-medium.volume() / 2 * wave.p_1 * s, gradient_sum(medium.lattice, wave.k));
-}
-
-Estimate pressure_force_ratio(const Medium& medium)
-{
-    // the floor is that of a volume dx^3; the particles' volume differs from it by the lattice's density
-    const Estimate b = gradient_floor(medium.lattice);
-    return scaled(medium.volume() / medium.lattice.cell() / 2, {1 + b.value, b.error});
 }
 
 VectorEstimate viscosity_force(const Medium& medium, double mu, const Wave& wave, double c)

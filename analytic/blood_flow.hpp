@@ -17,32 +17,17 @@ struct Medium {
     double volume() const { return mass / density; } ///< [m^3]
 };
 
-/// Velocity v = v_1 cos(k.r), pressure p = p_0 + p_1 cos(k.r).
+/// Velocity v = v_1 cos(k.r).
 struct Wave {
     Eigen::Vector3d k;
     Eigen::Vector3d v_1 = Eigen::Vector3d::Zero();
-    double p_1 = 0;
 };
-
-/// Eq. (1)  rho g + mu lap v - grad p of a wave, as (6) and (7) see it [N/m^3].
-VectorEstimate momentum_force(const Medium& medium, double mu, const Eigen::Vector3d& g, const Wave& wave,
-                              double c, double s);
 
 /// Eq. (2)  -m (v_1.G) s; tends to rho (k.v_1) s = -rho div v [kg/(m^3 s)].
 Estimate density_rate(const Medium& medium, const Wave& wave, double s);
 
-/// Eq. (4)  The wave cos(k.r) interpolated at any point r: m/rho sum_x W(r - x) cos(k.x) [1].
-Estimate interpolated_wave(const Medium& medium, const Eigen::Vector3d& k, const Eigen::Vector3d& r);
-
 /// Eq. (5)  m sum_x W(x) [kg/m^3].
 Estimate density(const Medium& medium);
-
-/// Eq. (6)  -m/(2 rho) p_1 G s; tends to p_1 k s/2, HALF of -grad p [N/m^3].
-VectorEstimate pressure_force(const Medium& medium, const Wave& wave, double s);
-
-/// Eq. (6)  Ratio of the force to -grad p where p is linear: (1 + b)/2, b = gradient_floor. A wider support
-/// makes b small and leaves the half [1].
-Estimate pressure_force_ratio(const Medium& medium);
 
 /// Eq. (7)  -mu m/rho L v_1 c with L = viscosity_sum; tends to -mu k^2 v [N/m^3].
 VectorEstimate viscosity_force(const Medium& medium, double mu, const Wave& wave, double c);

@@ -16,17 +16,16 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 constexpr double u = std::numeric_limits<double>::epsilon() / 2;
 
-/// Calls visit(x) for each lattice point within `radius` of r.
+/// Calls visit(x) for each lattice point within `radius` of the origin.
 template <class Visit>
-void for_points_around(const Vector3d& r, double dx, double radius, Visit visit)
+void for_points(double dx, double radius, Visit visit)
 {
     const int reach = static_cast<int>(std::ceil(radius / dx)) + 1;
-    const Vector3d middle = (r / dx).array().round();
     for (int i = -reach; i <= reach; ++i) {
         for (int j = -reach; j <= reach; ++j) {
             for (int l = -reach; l <= reach; ++l) {
-                const Vector3d x = dx * (middle + Vector3d(i, j, l));
-                if ((r - x).norm() <= radius) {
+                const Vector3d x = dx * Vector3d(i, j, l);
+                if (x.norm() <= radius) {
                     visit(x);
                 }
             }
@@ -116,19 +115,17 @@ std::vector<double> sums_of_three_squares(int size)
 
 } // namespace
 
-Estimate kernel_sum(const Lattice& l, const Vector3d& k, const Vector3d& r)
+Estimate kernel_sum(const Lattice& l)
 {
     Sum sum;
-    for_points_around(r, l.dx, 2 * l.h, [&](const Vector3d& x) {
-        sum.add(kernel(l.kernel, l.h, (r - x).norm()) * std::cos(k.dot(x)));
-    });
+    for_points(l.dx, 2 * l.h, [&](const Vector3d& x) { sum.add(kernel(l.kernel, l.h, x.norm())); });
     return {sum.value, sum.error(kernel(l.kernel, l.h, 0))};
 }
 
 VectorEstimate gradient_sum(const Lattice& l, const Vector3d& k)
 {
     std::array<Sum, 3> sums;
-    for_points_around(Vector3d::Zero(), l.dx, 2 * l.h, [&](const Vector3d& x) {
+    for_points(l.dx, 2 * l.h, [&](const Vector3d& x) {
         if (x.norm() > 0) {
             const Vector3d gradient = kernel_slope(l.kernel, l.h, x.norm()) * x.normalized();
             for (std::size_t a = 0; a < 3; ++a) {
@@ -147,17 +144,16 @@ VectorEstimate gradient_sum(const Lattice& l, const Vector3d& k)
 Estimate gradient_floor(const Lattice& l)
 {
     Sum sum; // x dW/dx summed over the three axes is r W'
-    for_points_around(Vector3d::Zero(), l.dx, 2 * l.h,
-                      [&](const Vector3d& x) { sum.add(x.norm() * kernel_slope(l.kernel, l.h, x.norm())); });
+    for_points(l.dx, 2 * l.h,
+               [&](const Vector3d& x) { sum.add(x.norm() * kernel_slope(l.kernel, l.h, x.norm())); });
     return {-l.cell() * sum.value / 3 - 1, l.cell() * sum.error(2 * l.h * steepest(l)) / 3 + u};
 }
 
 Estimate gradient_square_sum(const Lattice& l)
 {
     Sum sum;
-    for_points_around(Vector3d::Zero(), l.dx, 2 * l.h, [&](const Vector3d& x) {
-        sum.add(std::pow(kernel_slope(l.kernel, l.h, x.norm()), 2));
-    });
+    for_points(l.dx, 2 * l.h,
+               [&](const Vector3d& x) { sum.add(std::pow(kernel_slope(l.kernel, l.h, x.norm()), 2)); });
     return {sum.value, sum.error(2 * std::pow(steepest(l), 2))};
 }
 
@@ -165,7 +161,7 @@ Estimate viscosity_sum(const Lattice& l, const Vector3d& k)
 {
     const double H = 2 * l.h;
     Sum sum;
-    for_points_around(Vector3d::Zero(), l.dx, H, [&](const Vector3d& x) {
+    for_points(l.dx, H, [&](const Vector3d& x) {
         if (x.norm() > 0) {
             sum.add(viscosity_kernel_laplacian(H, x.norm()), 1 - std::cos(k.dot(x)));
         }
@@ -219,7 +215,7 @@ Estimate viscosity_sum_by_poisson(const Lattice& l, const Vector3d& k)
         magnitude += std::abs(damped(q));
     });
     double put_back = 0;
-    for_points_around(Vector3d::Zero(), l.dx, H + deviations * eps, [&](const Vector3d& x) {
+    for_points(l.dx, H + deviations * eps, [&](const Vector3d& x) {
         const double r = x.norm();
         if (r == H) {
             put_back -= A * (eps / std::sqrt(2 * pi) - eps * eps / (2 * H)) * (1 - std::cos(k.dot(x)));

@@ -30,10 +30,8 @@ struct VectorEstimate {
 // kernel: n additions, 40 u of the kernel and 88 u of the phase (k.x < 22 for 2 h <= 4 dx) on every term, and
 // 16 u of the kernel's (slope's, Laplacian's) largest value, since 2 - q cancels near the support's end.
 
-/// Eq. (4) and Eq. (5)  sum_x W(r - x) cos(k.x), the wave cos(k.x) interpolated at r; at r = 0 and k = 0
-/// times m it is the lattice's density [1/m^3].
-Estimate kernel_sum(const Lattice& lattice, const Eigen::Vector3d& k = Eigen::Vector3d::Zero(),
-                    const Eigen::Vector3d& r = Eigen::Vector3d::Zero());
+/// Eq. (5)  sum_x W(x); times m it is the lattice's density [1/m^3].
+Estimate kernel_sum(const Lattice& lattice);
 
 /// Eq. (6)  G(k) = sum_x grad W(x) sin(k.x) [1/m^4]; times a cell it tends to -k.
 VectorEstimate gradient_sum(const Lattice& lattice, const Eigen::Vector3d& k);

@@ -3,12 +3,16 @@
 
 #include "analytic/kernel_function.hpp"
 
+#include <complex>
+#include <numbers>
+
 namespace aneurysm::analytic
 {
 namespace
 {
 
 using Eigen::Vector3d;
+using std::numbers::pi;
 constexpr double u = std::numeric_limits<double>::epsilon() / 2;
 
 /// The component nearest to 0 among all periodic images.
@@ -43,20 +47,33 @@ Vector3d gradient(const Cloud& c, const Vector3d& x)
     return r > 0 ? Vector3d(kernel_slope(c.kernel, c.h, r) / r * x) : Vector3d::Zero();
 }
 
+/// W of a complex distance, by the powers of analytic::kernel.
+std::complex<double> complex_kernel(KernelName name, double h, const std::complex<double>& r)
+{
+    const std::complex<double> q = r / h;
+    const std::complex<double> s = 2.0 - q;
+    if (name == KernelName::cubic_spline) {
+        const std::complex<double> inner = q.real() < 1 ? 1.0 - q : 0.0;
+        return (s * s * s - 4.0 * inner * inner * inner) / (4 * pi * std::pow(h, 3));
+    }
+    return s * s * s * s * (5.0 / 16 - s / 8.0) * 21.0 / (16 * pi * std::pow(h, 3));
+}
+
 /// Error of a sum whose terms' factors, times the largest value of what they multiply, add up to `magnitude`.
 double rounding(const Cloud& c, int terms, double magnitude)
 {
     return u * (terms + 32 + 8 * c.period / c.h) * magnitude;
 }
 
-/// sum_j of term(j, x_ij), a vector, over all j within the support;
-/// factor(j) bounds what multiplies the kernel.
+/// sum_j of term(j, x_ij), a vector, over all j within the support; factor(j) bounds what multiplies the
+/// kernel, and `more` roundings are made on each term.
 template <class Term, class Factor>
-VectorEstimate sum_over_pairs(const Cloud& c, const Vector3d& r, double largest, Term term, Factor factor)
+VectorEstimate sum_over_pairs(const Cloud& c, const Vector3d& r, double largest, Term term, Factor factor,
+                              int more = 0)
 {
     VectorEstimate sum;
     double magnitude = 0;
-    int terms = 0;
+    int terms = more;
     for (std::size_t j = 0; j < c.position.size(); ++j) {
         const Vector3d x = difference(c, r, c.position[j]);
         if (x.norm() < 2 * c.h) {
@@ -71,10 +88,11 @@ VectorEstimate sum_over_pairs(const Cloud& c, const Vector3d& r, double largest,
 
 /// The same for numbers.
 template <class Term, class Factor>
-Estimate scalar_sum(const Cloud& c, const Vector3d& r, double largest, Term term, Factor factor)
+Estimate scalar_sum(const Cloud& c, const Vector3d& r, double largest, Term term, Factor factor, int more = 0)
 {
     const VectorEstimate sum = sum_over_pairs(
-        c, r, largest, [&](std::size_t j, const Vector3d& x) { return Vector3d(term(j, x), 0, 0); }, factor);
+        c, r, largest, [&](std::size_t j, const Vector3d& x) { return Vector3d(term(j, x), 0, 0); }, factor,
+        more);
     return {sum.value.x(), sum.error};
 }
 
@@ -112,14 +130,17 @@ Estimate pair_density(const Cloud& c, std::size_t i)
         [&](std::size_t j) { return c.mass[j]; });
 }
 
-double pair_density_later(const Cloud& c, std::size_t i, double t)
+Estimate pair_density_slope(const Cloud& c, std::size_t i)
 {
-    double sum = 0;
-    for (std::size_t j = 0; j < c.position.size(); ++j) {
-        const Vector3d x = difference(c, c.position[i], c.position[j]) + t * (c.velocity[i] - c.velocity[j]);
-        sum += c.mass[j] * kernel(c.kernel, c.h, x.norm());
-    }
-    return sum;
+    constexpr double t = 1e-100;
+    return scalar_sum(
+        c, c.position[i], largest_slope(c),
+        [&](std::size_t j, const Vector3d& x) {
+            const Vector3d v = c.velocity[i] - c.velocity[j];
+            const std::complex<double> square(x.squaredNorm(), 2 * t * x.dot(v));
+            return c.mass[j] * complex_kernel(c.kernel, c.h, std::sqrt(square)).imag() / t;
+        },
+        [&](std::size_t j) { return c.mass[j] * (c.velocity[i].norm() + c.velocity[j].norm()); }, 64);
 }
 
 VectorEstimate pair_pressure_force(const Cloud& c, std::size_t i)

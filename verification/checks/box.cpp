@@ -3,6 +3,7 @@
 
 #include "common/scenario/shipped.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -95,6 +96,19 @@ void Box::disturb(double jitter, double speed, std::uint64_t seed)
     }
 }
 
+void Box::keep_drop(int edge)
+{
+    Particles& p = state_.particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const Vec3 d = p.position[i] - middle();
+        const double reach = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+        if (!(reach < edge / 2.0 * scenario_.domain.spacing_m)) {
+            p.kind[i] = Kind::reserve;
+            p.velocity[i] = {};
+        }
+    }
+}
+
 analytic::Cloud Box::cloud(const SimulationState& state, const std::vector<double>& density) const
 {
     analytic::Cloud c;
@@ -105,7 +119,9 @@ analytic::Cloud Box::cloud(const SimulationState& state, const std::vector<doubl
         c.position.push_back(to_eigen(state.particles.position[i]));
         c.velocity.push_back(to_eigen(state.particles.velocity[i]));
     }
-    c.mass.assign(c.position.size(), medium_.mass);
+    for (const Kind kind : state.particles.kind) {
+        c.mass.push_back(kind == Kind::reserve ? 0 : medium_.mass);
+    }
     c.density = density;
     c.pressure.assign(c.position.size(), 0);
     c.free.assign(c.position.size(), true);

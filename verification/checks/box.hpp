@@ -32,7 +32,8 @@ public:
 
     const Scenario& scenario() const { return scenario_; }
     const analytic::Medium& medium() const { return medium_; }
-    double edge() const { return edge_; } ///< [m]
+    double edge() const { return edge_; }                             ///< [m]
+    Vec3 middle() const { return {edge_ / 2, edge_ / 2, edge_ / 2}; } ///< [m]
     std::size_t size() const { return state_.particles.size(); }
     SimulationState& state() { return state_; }
     const SimulationState& state() const { return state_; }
@@ -48,7 +49,10 @@ public:
     /// components up to `speed`; both such that single precision holds them exactly.
     void disturb(double jitter, double speed, std::uint64_t seed);
 
-    /// The oracle's view of a state, with the subject's own densities.
+    /// Leaves a cube of `edge` spacings in the middle; the rest waits in the reserve.
+    void keep_drop(int edge);
+
+    /// The oracle's view of a state, with the subject's own densities; what is in the reserve weighs nothing.
     analytic::Cloud cloud(const SimulationState& state, const std::vector<double>& density) const;
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks by level and subject; each function is in the file of its name.
+// The checks by level and subject, and how they are registered.
 #pragma once
 
 #include "verification/suite/check.hpp"
@@ -11,6 +11,24 @@ using namespace suite; // a check is written in the suite's words
 
 /// All checks, by level and then in the order of the paper.
 const std::vector<Check>& all_checks();
+
+using Names = std::vector<std::string_view>;
+using Run = void (*)(Probe&);
+
+/// Row of the suite for an equation at one particle, wall or time (L0), as each backend computes it.
+Check formula_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run);
+/// Row for sums over particles, seen through one frame (L1).
+Check sum_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run);
+/// Row for a flow whose discrete answer is known (L2).
+Check flow_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run);
+/// Row for a flow that tends to a continuous solution (L3); too long for --quick.
+Check limit_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run);
+/// Row for the same run in other words (L4).
+Check same_run_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run,
+                     Scope scope = Scope::flows);
+/// Row for oracles among themselves, which need no backend.
+Check oracle_check(std::string_view id, Level level, Names equations, std::string_view title, Names oracles,
+                   Run run, bool quick = true);
 
 // The oracles among themselves
 std::vector<Check> oracle_flow_checks();
@@ -33,6 +51,7 @@ std::vector<Check> thinning_checks();
 std::vector<Check> vessel_shape_checks();
 std::vector<Check> wall_law_checks();
 // L1
+std::vector<Check> blood_flow_mass_checks();
 std::vector<Check> operator_checks();
 std::vector<Check> momentum_checks();
 std::vector<Check> neighborhood_checks();

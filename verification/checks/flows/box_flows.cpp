@@ -150,27 +150,14 @@ void slip(Probe& probe)
 std::vector<Check> box_flow_checks()
 {
     return {
-        {.id = "eq07_shear_wave",
-         .level = Level::transient,
-         .equations = {"7", "15", "1"},
-         .title = "a shear wave decays by the same factor in every step",
-         .oracles = {"(1 - rate dt)^n with the rate's lattice symbol"},
-         .scope = Scope::flows,
-         .run = shear_wave},
-        {.id = "eqEOS_sound",
-         .level = Level::transient,
-         .equations = {"EOS", "5", "6", "15"},
-         .title = "sound has the frequency of the lattice",
-         .oracles = {"lattice symbol of (6) with the equation of state"},
-         .scope = Scope::flows,
-         .run = sound},
-        {.id = "eq01_slip_channel",
-         .level = Level::transient,
-         .equations = {"1", "7", "15"},
-         .title = "between plates that let it slip blood follows a swinging force without friction",
-         .oracles = {"sum of the force's steps", "sum of sines in closed form"},
-         .scope = Scope::flows,
-         .run = slip},
+        flow_check("eq07_shear_wave", {"7", "15", "1"},
+                   "a shear wave decays by the same factor in every step",
+                   {"(1 - rate dt)^n with the rate's lattice symbol"}, shear_wave),
+        flow_check("eqEOS_sound", {"EOS", "5", "6", "15"}, "sound has the frequency of the lattice",
+                   {"lattice symbol of (6) with the equation of state"}, sound),
+        flow_check("eq01_slip_channel", {"1", "7", "15"},
+                   "between plates that let it slip blood follows a swinging force without friction",
+                   {"sum of the force's steps", "sum of sines in closed form"}, slip),
     };
 }
 

@@ -131,21 +131,13 @@ void breach(Probe& probe)
 std::vector<Check> containment_checks()
 {
     return {
-        {.id = "fig1_containment",
-         .level = Level::transient,
-         .equations = {"21", "28"},
-         .title = "the wall that holds the blood is the one that has grown and is displaced",
-         .oracles = {"distance to the wall in double"},
-         .scope = Scope::flows,
-         .run = containment},
-        {.id = "fig1_breach",
-         .level = Level::transient,
-         .equations = {},
-         .title =
-             "after the rupture blood leaves through the hole and nowhere else, and is recycled far from it",
-         .oracles = {"places in the hole by their definition"},
-         .scope = Scope::flows,
-         .run = breach},
+        flow_check("fig1_containment", {"21", "28"},
+                   "the wall that holds the blood is the one that has grown and is displaced",
+                   {"distance to the wall in double"}, containment),
+        flow_check(
+            "fig1_breach", {},
+            "after the rupture blood leaves through the hole and nowhere else, and is recycled far from it",
+            {"places in the hole by their definition"}, breach),
     };
 }
 

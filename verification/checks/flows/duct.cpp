@@ -175,21 +175,13 @@ void outlet(Probe& probe)
 
 std::vector<Check> duct_checks()
 {
-    return {{.id = "eq26_outlet",
-             .level = Level::transient,
-             .equations = {"26"},
-             .title = "an outlet presses on the blood before it with p_const, and is pressed back by it",
-             .oracles = {"lattice sum over a half space of ghosts", "Newton's law for the slab"},
-             .scope = Scope::flows,
-             .run = outlet},
-            {.id = "eq25_duct",
-             .level = Level::transient,
-             .equations = {"25", "26", "3"},
-             .title = "a column of blood moves with the inlet against the outlet's pressure, and is neither "
-                      "stored nor lost",
-             .oracles = {"particle balance from the integral of (25)", "conservation of volume"},
-             .scope = Scope::flows,
-             .run = duct}};
+    return {flow_check("eq26_outlet", {"26"},
+                       "an outlet presses on the blood before it with p_const, and is pressed back by it",
+                       {"lattice sum over a half space of ghosts", "Newton's law for the slab"}, outlet),
+            flow_check("eq25_duct", {"25", "26", "3"},
+                       "a column of blood moves with the inlet against the outlet's pressure, and is neither "
+                       "stored nor lost",
+                       {"particle balance from the integral of (25)", "conservation of volume"}, duct)};
 }
 
 } // namespace aneurysm::checks

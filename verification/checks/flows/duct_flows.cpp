@@ -148,24 +148,16 @@ void sliding(Probe& probe)
 
 std::vector<Check> duct_flow_checks()
 {
-    const auto check = [](std::string_view id, std::string_view title, std::vector<std::string_view> oracles,
-                          void (*run)(Probe&)) {
-        return Check{.id = id,
-                     .level = Level::transient,
-                     .equations = {"27", "1", "5", "7", "15"},
-                     .title = title,
-                     .oracles = std::move(oracles),
-                     .scope = Scope::flows,
-                     .run = run};
-    };
+    const Names flow{"27", "1", "5", "7", "15"};
     return {
-        check("eq27_frozen_ducts", "slow flow along walls at rest is the lattice's, step by step",
-              {"eigenvectors of the columns' matrix", "the same steps in long double (oracle_duct_steps)"},
-              frozen),
-        check("eq27_time_order", "steps of (7) and (15) are of first order in dt",
-              {"closed form of the steps"}, time_order),
-        check("eq27_sliding_ducts", "fast flow along walls at rest is that of columns that slide",
-              {"sliding columns"}, sliding),
+        flow_check(
+            "eq27_frozen_ducts", flow, "slow flow along walls at rest is the lattice's, step by step",
+            {"eigenvectors of the columns' matrix", "the same steps in long double (oracle_duct_steps)"},
+            frozen),
+        flow_check("eq27_time_order", flow, "steps of (7) and (15) are of first order in dt",
+                   {"closed form of the steps"}, time_order),
+        flow_check("eq27_sliding_ducts", flow, "fast flow along walls at rest is that of columns that slide",
+                   {"sliding columns"}, sliding),
     };
 }
 

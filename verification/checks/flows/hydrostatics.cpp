@@ -74,13 +74,9 @@ void rows(Probe& probe)
 
 std::vector<Check> hydrostatics_checks()
 {
-    return {{.id = "eq03_hydrostatics",
-             .level = Level::transient,
-             .equations = {"3", "1", "15"},
-             .title = "blood between two plates finds the pressures that its rows need against their weight",
-             .oracles = {"non-negative least squares of the rows' matrix (Lawson and Hanson)"},
-             .scope = Scope::flows,
-             .run = rows}};
+    return {flow_check("eq03_hydrostatics", {"3", "1", "15"},
+                       "blood between two plates finds the pressures that its rows need against their weight",
+                       {"non-negative least squares of the rows' matrix (Lawson and Hanson)"}, rows)};
 }
 
 } // namespace aneurysm::checks

@@ -295,30 +295,22 @@ void womersley_tube(Probe& probe)
 
 std::vector<Check> laminar_flow_checks()
 {
-    const auto check = [](std::string_view id, std::string_view title, void (*run)(Probe&)) {
-        return Check{.id = id,
-                     .level = Level::continuous,
-                     .equations = {"27", "1", "5", "7", "15"},
-                     .title = title,
-                     .oracles = {"exact flow from rest, two ways (oracle_flow_from_rest)",
-                                 "sliding columns, which predict the error"},
-                     .scope = Scope::flows,
-                     .quick = false,
-                     .run = run};
-    };
+    const Names flow{"27", "1", "5", "7", "15"};
+    const Names oracles{"exact flow from rest, two ways (oracle_flow_from_rest)",
+                        "sliding columns, which predict the error"};
     return {
-        check("poiseuille_channel",
-              "flow between plates tends to Poiseuille's with the predicted error and order",
-              poiseuille_channel),
-        check("womersley_channel",
-              "pulsating flow between plates tends to Womersley's with the predicted error and order",
-              womersley_channel),
-        check("poiseuille_tube",
-              "flow in a tube tends to Hagen and Poiseuille's with the predicted error and order",
-              poiseuille_tube),
-        check("womersley_tube",
-              "pulsating flow in a tube tends to Womersley's with the predicted error and order",
-              womersley_tube),
+        limit_check("poiseuille_channel", flow,
+                    "flow between plates tends to Poiseuille's with the predicted error and order", oracles,
+                    poiseuille_channel),
+        limit_check("womersley_channel", flow,
+                    "pulsating flow between plates tends to Womersley's with the predicted error and order",
+                    oracles, womersley_channel),
+        limit_check("poiseuille_tube", flow,
+                    "flow in a tube tends to Hagen and Poiseuille's with the predicted error and order",
+                    oracles, poiseuille_tube),
+        limit_check("womersley_tube", flow,
+                    "pulsating flow in a tube tends to Womersley's with the predicted error and order",
+                    oracles, womersley_tube),
     };
 }
 

@@ -420,13 +420,9 @@ void open_ends(Probe& probe)
 
 std::vector<Check> open_end_checks()
 {
-    return {{.id = "sec34_open_ends",
-             .level = Level::transient,
-             .equations = {"25", "26"},
-             .title = "an open end pushes, holds, takes in and lets out each particle as section 3.4 says",
-             .oracles = {"the rules, particle by particle"},
-             .scope = Scope::flows,
-             .run = open_ends}};
+    return {flow_check("sec34_open_ends", {"25", "26"},
+                       "an open end pushes, holds, takes in and lets out each particle as section 3.4 says",
+                       {"the rules, particle by particle"}, open_ends)};
 }
 
 } // namespace aneurysm::checks

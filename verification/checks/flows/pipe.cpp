@@ -100,14 +100,9 @@ void pipe_loss(Probe& probe)
 std::vector<Check> pipe_checks()
 {
     return {
-        {.id = "pipe_velocity_loss",
-         .level = Level::continuous,
-         .equations = {"25", "26", "27"},
-         .title = "each particle through a pipe is accounted for; how much of the flow arrives is reported",
-         .oracles = {"particle balance", "Hagen and Poiseuille's parabola"},
-         .scope = Scope::flows,
-         .quick = false,
-         .run = pipe_loss}};
+        limit_check("pipe_velocity_loss", {"25", "26", "27"},
+                    "each particle through a pipe is accounted for; how much of the flow arrives is reported",
+                    {"particle balance", "Hagen and Poiseuille's parabola"}, pipe_loss)};
 }
 
 } // namespace aneurysm::checks

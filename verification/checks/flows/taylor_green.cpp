@@ -142,14 +142,10 @@ void taylor_green(Probe& probe)
 
 std::vector<Check> taylor_green_checks()
 {
-    return {{.id = "taylor_green",
-             .level = Level::continuous,
-             .equations = {"7", "1", "3", "15"},
-             .title = "resting vortices decay as the lattice says; how moving ones do is reported",
-             .oracles = {"(1 - rate dt)^n with the rate's lattice symbol", "Taylor and Green's solution"},
-             .scope = Scope::flows,
-             .quick = false,
-             .run = taylor_green}};
+    return {limit_check("taylor_green", {"7", "1", "3", "15"},
+                        "resting vortices decay as the lattice says; how moving ones do is reported",
+                        {"(1 - rate dt)^n with the rate's lattice symbol", "Taylor and Green's solution"},
+                        taylor_green)};
 }
 
 } // namespace aneurysm::checks

@@ -329,36 +329,24 @@ void impact(Probe& probe)
 std::vector<Check> wall_history_checks()
 {
     return {
-        {.id = "eq21_history",
-         .level = Level::transient,
-         .equations = {"13", "17", "18", "19", "20", "21", "22", "28"},
-         .title = "in a run to rupture the wall does what its impact forces say: radius, thickness, critical "
-                  "pressure, displacement, phases",
-         .oracles = {"linear system of (17)-(20) by elimination", "product of (22) by logarithms",
-                     "impulse response of (28)'s steps"},
-         .scope = Scope::flows,
-         .run = wall_history},
-        {.id = "eq23_history",
-         .level = Level::transient,
-         .equations = {"21", "22", "23", "13"},
-         .title = "a fully developed wall keeps its radius and thins by (23), up to its cap",
-         .oracles = {"linear system of (17)-(20) by elimination", "product of (23) by logarithms"},
-         .scope = Scope::flows,
-         .run = developed_history},
-        {.id = "eq25_bookkeeping",
-         .level = Level::transient,
-         .equations = {"25"},
-         .title = "no particle is lost or made, and the inlet moves as (25) says",
-         .oracles = {"integer balance", "GSL's sine"},
-         .scope = Scope::flows,
-         .run = bookkeeping},
-        {.id = "eq16_impact",
-         .level = Level::transient,
-         .equations = {"14", "15", "16"},
-         .title = "the impact force is the largest mass times change of velocity at the sac's wall",
-         .oracles = {"momentum balance (14) of each particle"},
-         .scope = Scope::flows,
-         .run = impact},
+        flow_check(
+            "eq21_history", {"13", "17", "18", "19", "20", "21", "22", "28"},
+            "in a run to rupture the wall does what its impact forces say: radius, thickness, critical "
+            "pressure, "
+            "displacement, phases",
+            {"linear system of (17)-(20) by elimination", "product of (22) by logarithms",
+             "impulse response of (28)'s steps"},
+            wall_history),
+        flow_check("eq23_history", {"21", "22", "23", "13"},
+                   "a fully developed wall keeps its radius and thins by (23), up to its cap",
+                   {"linear system of (17)-(20) by elimination", "product of (23) by logarithms"},
+                   developed_history),
+        flow_check("eq25_bookkeeping", {"25"},
+                   "no particle is lost or made, and the inlet moves as (25) says",
+                   {"integer balance", "GSL's sine"}, bookkeeping),
+        flow_check("eq16_impact", {"14", "15", "16"},
+                   "the impact force is the largest mass times change of velocity at the sac's wall",
+                   {"momentum balance (14) of each particle"}, impact),
     };
 }
 

@@ -84,18 +84,14 @@ void eq24_oracles(Probe& probe)
 std::vector<Check> bifurcation_checks()
 {
     return {
-        {.id = "eq24_murray",
-         .equations = {"24"},
-         .title = "two equal daughters are the cheapest vessels for half the flow each",
-         .oracles = {"GSL root of the cost's derivative", "sum of cubes, 50 digits"},
-         .run = eq24_murray},
-        {.id = "eq24_oracles",
-         .equations = {"24"},
-         .title = "the cheapest radius is a minimum, and grows with the cube root of the flow",
-         .oracles = {"GSL root of the cost's derivative", "GSL search for the minimum",
-                     "shear stress sqrt(b mu), equal in all vessels", "power"},
-         .scope = Scope::once,
-         .run = eq24_oracles},
+        formula_check("eq24_murray", {"24"},
+                      "two equal daughters are the cheapest vessels for half the flow each",
+                      {"GSL root of the cost's derivative", "sum of cubes, 50 digits"}, eq24_murray),
+        oracle_check("eq24_oracles", Level::scalar, {"24"},
+                     "the cheapest radius is a minimum, and grows with the cube root of the flow",
+                     {"GSL root of the cost's derivative", "GSL search for the minimum",
+                      "shear stress sqrt(b mu), equal in all vessels", "power"},
+                     eq24_oracles),
     };
 }
 

@@ -66,11 +66,10 @@ void fig1_collision(Probe& probe)
 std::vector<Check> collision_checks()
 {
     return {
-        {.id = "fig1_collision",
-         .equations = {},
-         .title = "a particle beyond the wall is put back onto it, its velocity into the wall turned round",
-         .oracles = {"Householder's matrix", "normal and tangential parts, 50 digits"},
-         .run = fig1_collision},
+        formula_check(
+            "fig1_collision", {},
+            "a particle beyond the wall is put back onto it, its velocity into the wall turned round",
+            {"Householder's matrix", "normal and tangential parts, 50 digits"}, fig1_collision),
     };
 }
 

@@ -299,35 +299,26 @@ void eq28_oracles(Probe& probe)
 std::vector<Check> elastic_wall_checks()
 {
     return {
-        {.id = "eq28_step",
-         .equations = {"28"},
-         .title = "two steps make the difference quotient that Newton's law demands",
-         .oracles = {"Newton's law for three displacements, 50 digits",
-                     "velocity as a difference, 50 digits"},
-         .run = eq28_step},
-        {.id = "eq28_oscillation",
-         .equations = {"28"},
-         .title = "many steps give the discrete oscillation, and keep its invariant",
-         .oracles = {"closed form of the discrete motion", "invariant"},
-         .run = eq28_oscillation},
-        {.id = "eq28_order",
-         .equations = {"28"},
-         .title = "the steps miss the motion by their first order, no more and no less",
-         .oracles = {"closed form under a constant force", "closed form of the driven motion"},
-         .run = eq28_order},
-        {.id = "eq28_column",
-         .equations = {"28"},
-         .title = "a wall that pushes a column of blood swings with the mass of both",
-         .oracles = {"roots of the steps' characteristic polynomial (GSL)",
-                     "frequency sqrt(k/(m + M)) with its next term"},
-         .run = eq28_column},
-        {.id = "eq28_oracles",
-         .equations = {"28"},
-         .title = "the closed forms of the motion answer the force as they must, and that of the steps tends "
-                  "to them",
-         .oracles = {"Duhamel's integral by GSL quadrature", "limit of short steps"},
-         .scope = Scope::once,
-         .run = eq28_oracles},
+        formula_check(
+            "eq28_step", {"28"}, "two steps make the difference quotient that Newton's law demands",
+            {"Newton's law for three displacements, 50 digits", "velocity as a difference, 50 digits"},
+            eq28_step),
+        formula_check("eq28_oscillation", {"28"},
+                      "many steps give the discrete oscillation, and keep its invariant",
+                      {"closed form of the discrete motion", "invariant"}, eq28_oscillation),
+        formula_check("eq28_order", {"28"},
+                      "the steps miss the motion by their first order, no more and no less",
+                      {"closed form under a constant force", "closed form of the driven motion"}, eq28_order),
+        formula_check("eq28_column", {"28"},
+                      "a wall that pushes a column of blood swings with the mass of both",
+                      {"roots of the steps' characteristic polynomial (GSL)",
+                       "frequency sqrt(k/(m + M)) with its next term"},
+                      eq28_column),
+        oracle_check(
+            "eq28_oracles", Level::scalar, {"28"},
+            "the closed forms of the motion answer the force as they must, and that of the steps tends "
+            "to them",
+            {"Duhamel's integral by GSL quadrature", "limit of short steps"}, eq28_oracles),
     };
 }
 

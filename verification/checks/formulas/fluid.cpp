@@ -209,27 +209,21 @@ void eqEOS_pressure(Probe& probe)
 std::vector<Check> fluid_checks()
 {
     return {
-        {.id = "eq01_momentum",
-         .equations = {"1"},
-         .title = "gravity, viscosity and pressure add up to mass times acceleration",
-         .oracles = {"an exact flow of Arnold, Beltrami and Childress, 50 digits", "whole numbers"},
-         .run = eq01_momentum},
-        {.id = "eq04_interpolation",
-         .equations = {"4"},
-         .title = "a field is interpolated from the bodies that take part and no others",
-         .oracles = {"sum over the kernels' definition, 50 digits",
-                     "sum over all pairs with truncated powers"},
-         .run = eq04_interpolation},
-        {.id = "eqEOS_pressure",
-         .equations = {"EOS"},
-         .title = "the pressure belongs to the density, and to the speed of sound",
-         .oracles = {"GSL quadrature of the squared speed of sound", "the relation, 50 digits"},
-         .run = eqEOS_pressure},
-        {.id = "eq15_acceleration",
-         .equations = {"15"},
-         .title = "density times acceleration is force",
-         .oracles = {"an exact flow of Arnold, Beltrami and Childress, 50 digits", "the relation, 50 digits"},
-         .run = eq15_acceleration},
+        formula_check(
+            "eq01_momentum", {"1"}, "gravity, viscosity and pressure add up to mass times acceleration",
+            {"an exact flow of Arnold, Beltrami and Childress, 50 digits", "whole numbers"}, eq01_momentum),
+        formula_check(
+            "eq04_interpolation", {"4"},
+            "a field is interpolated from the bodies that take part and no others",
+            {"sum over the kernels' definition, 50 digits", "sum over all pairs with truncated powers"},
+            eq04_interpolation),
+        formula_check(
+            "eqEOS_pressure", {"EOS"}, "the pressure belongs to the density, and to the speed of sound",
+            {"GSL quadrature of the squared speed of sound", "the relation, 50 digits"}, eqEOS_pressure),
+        formula_check(
+            "eq15_acceleration", {"15"}, "density times acceleration is force",
+            {"an exact flow of Arnold, Beltrami and Childress, 50 digits", "the relation, 50 digits"},
+            eq15_acceleration),
     };
 }
 

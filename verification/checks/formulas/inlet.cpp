@@ -201,26 +201,18 @@ void eq25_table_seam(Probe& probe)
 std::vector<Check> inlet_checks()
 {
     return {
-        {.id = "eq25_waveforms",
-         .equations = {"25"},
-         .title = "the inlet's velocity follows the sine as printed, and each other formula",
-         .oracles = {"GSL's sine", "50 digits"},
-         .run = eq25_waveforms},
-        {.id = "eq25_transport",
-         .equations = {"25"},
-         .title = "each waveform transports what it must in a cycle; the sine as printed nothing",
-         .oracles = {"GSL quadrature against exact integrals", "zeros and extremes"},
-         .run = eq25_transport},
-        {.id = "eq25_table",
-         .equations = {"25"},
-         .title = "a table is periodic and piecewise linear, at its entries and at its seam",
-         .oracles = {"GSL's interpolation", "sum of hats, 50 digits"},
-         .run = eq25_table},
-        {.id = "eq25_table_seam",
-         .equations = {"25"},
-         .title = "a table goes on where rounding puts the end of a cycle before or behind it",
-         .oracles = {"the first entry", "construction"},
-         .run = eq25_table_seam},
+        formula_check("eq25_waveforms", {"25"},
+                      "the inlet's velocity follows the sine as printed, and each other formula",
+                      {"GSL's sine", "50 digits"}, eq25_waveforms),
+        formula_check("eq25_transport", {"25"},
+                      "each waveform transports what it must in a cycle; the sine as printed nothing",
+                      {"GSL quadrature against exact integrals", "zeros and extremes"}, eq25_transport),
+        formula_check("eq25_table", {"25"},
+                      "a table is periodic and piecewise linear, at its entries and at its seam",
+                      {"GSL's interpolation", "sum of hats, 50 digits"}, eq25_table),
+        formula_check("eq25_table_seam", {"25"},
+                      "a table goes on where rounding puts the end of a cycle before or behind it",
+                      {"the first entry", "construction"}, eq25_table_seam),
     };
 }
 

@@ -137,28 +137,20 @@ void eq27_no_slip(Probe& probe)
 std::vector<Check> outlet_checks()
 {
     return {
-        {.id = "eq26_force",
-         .equations = {"26"},
-         .title = "the outlet's ghosts push with p_const along the kernel's gradient",
-         .oracles = {"lattice sum over a half space", "the relation, 50 digits"},
-         .run = eq26_force},
-        {.id = "eq26_pressure",
-         .equations = {"26"},
-         .title = "the outlet has p_const while blood leaves, and p_const is what it stagnates at while it "
-                  "comes back",
-         .oracles = {"Gauss rule along the streamline", "Bernoulli's sum, 50 digits"},
-         .run = eq26_pressure},
-        {.id = "eq26_oracles",
-         .equations = {"26"},
-         .title = "a continuum of ghosts carries half of p_const",
-         .oracles = {"nested Gauss rules", "exact half"},
-         .scope = Scope::once,
-         .run = eq26_oracles},
-        {.id = "eq27_no_slip",
-         .equations = {"27"},
-         .title = "the wall's ghosts are at rest",
-         .oracles = {"Poiseuille's parabola at the walls", "GSL's erf of Stokes' first problem at the wall"},
-         .run = eq27_no_slip},
+        formula_check("eq26_force", {"26"},
+                      "the outlet's ghosts push with p_const along the kernel's gradient",
+                      {"lattice sum over a half space", "the relation, 50 digits"}, eq26_force),
+        formula_check(
+            "eq26_pressure", {"26"},
+            "the outlet has p_const while blood leaves, and p_const is what it stagnates at while it "
+            "comes back",
+            {"Gauss rule along the streamline", "Bernoulli's sum, 50 digits"}, eq26_pressure),
+        oracle_check("eq26_oracles", Level::scalar, {"26"}, "a continuum of ghosts carries half of p_const",
+                     {"nested Gauss rules", "exact half"}, eq26_oracles),
+        formula_check(
+            "eq27_no_slip", {"27"}, "the wall's ghosts are at rest",
+            {"Poiseuille's parabola at the walls", "GSL's erf of Stokes' first problem at the wall"},
+            eq27_no_slip),
     };
 }
 

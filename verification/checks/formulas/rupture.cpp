@@ -197,26 +197,17 @@ void eq16_special_hits(Probe& probe)
 std::vector<Check> rupture_checks()
 {
     return {
-        {.id = "eq13_criterion",
-         .equations = {"13"},
-         .title = "the wall ruptures above the critical pressure, and not at it",
-         .oracles = {"exact sign, 50 digits", "GSL search for the largest pressure"},
-         .run = eq13_criterion},
-        {.id = "eq14_impulse",
-         .equations = {"14"},
-         .title = "the force of an impact takes all momentum in the time given",
-         .oracles = {"GSL quadrature of a pulse", "the relation, 50 digits"},
-         .run = eq14_impulse},
-        {.id = "eq16_hardest_hit",
-         .equations = {"16"},
-         .title = "the impact is the hardest hit in S, by the particle named",
-         .oracles = {"Eigen's column norms", "squares, 50 digits"},
-         .run = eq16_hardest_hit},
-        {.id = "eq16_special_hits",
-         .equations = {"16"},
-         .title = "an empty S is no impact, the lower of two equal particles counts, and nothing hides a NaN",
-         .oracles = {"definition", "construction"},
-         .run = eq16_special_hits},
+        formula_check("eq13_criterion", {"13"},
+                      "the wall ruptures above the critical pressure, and not at it",
+                      {"exact sign, 50 digits", "GSL search for the largest pressure"}, eq13_criterion),
+        formula_check("eq14_impulse", {"14"}, "the force of an impact takes all momentum in the time given",
+                      {"GSL quadrature of a pulse", "the relation, 50 digits"}, eq14_impulse),
+        formula_check("eq16_hardest_hit", {"16"}, "the impact is the hardest hit in S, by the particle named",
+                      {"Eigen's column norms", "squares, 50 digits"}, eq16_hardest_hit),
+        formula_check(
+            "eq16_special_hits", {"16"},
+            "an empty S is no impact, the lower of two equal particles counts, and nothing hides a NaN",
+            {"definition", "construction"}, eq16_special_hits),
     };
 }
 

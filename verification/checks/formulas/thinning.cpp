@@ -166,26 +166,17 @@ void eq23_product(Probe& probe)
 std::vector<Check> thinning_checks()
 {
     return {
-        {.id = "eq22_step",
-         .equations = {"22"},
-         .title = "a step thins the wall by Poisson's ratio of the radius' growth",
-         .oracles = {"tangent of the power law by the complex step", "the relation, 50 digits"},
-         .run = eq22_step},
-        {.id = "eq22_product",
-         .equations = {"22"},
-         .title = "equal steps give the product, which misses the power law by what Euler's method must",
-         .oracles = {"Pochhammer's symbols of GSL", "power law with Euler-Maclaurin"},
-         .run = eq22_product},
-        {.id = "eq23_step",
-         .equations = {"23"},
-         .title = "a fully developed wall thins in proportion to its growth, which is capped",
-         .oracles = {"exponential of the logarithm", "the relation, 50 digits"},
-         .run = eq23_step},
-        {.id = "eq23_product",
-         .equations = {"23"},
-         .title = "equal steps give the power, which misses the exponential by what a product must",
-         .oracles = {"power", "exponential with its next term"},
-         .run = eq23_product},
+        formula_check("eq22_step", {"22"}, "a step thins the wall by Poisson's ratio of the radius' growth",
+                      {"tangent of the power law by the complex step", "the relation, 50 digits"}, eq22_step),
+        formula_check("eq22_product", {"22"},
+                      "equal steps give the product, which misses the power law by what Euler's method must",
+                      {"Pochhammer's symbols of GSL", "power law with Euler-Maclaurin"}, eq22_product),
+        formula_check("eq23_step", {"23"},
+                      "a fully developed wall thins in proportion to its growth, which is capped",
+                      {"exponential of the logarithm", "the relation, 50 digits"}, eq23_step),
+        formula_check("eq23_product", {"23"},
+                      "equal steps give the power, which misses the exponential by what a product must",
+                      {"power", "exponential with its next term"}, eq23_product),
     };
 }
 

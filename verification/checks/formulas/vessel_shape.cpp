@@ -133,18 +133,12 @@ void sacs(Probe& probe)
 
 std::vector<Check> vessel_shape_checks()
 {
-    return {{.id = "eq24_tubes",
-             .equations = {"24"},
-             .title = "the tubes have their radii, angles and lengths",
-             .oracles = {"a ruler along and across each axis"},
-             .scope = Scope::once,
-             .run = tubes},
-            {.id = "table2_sacs",
-             .equations = {},
-             .title = "the three sacs have the widths of Table 2, grown or not",
-             .oracles = {"a ruler through the neck plane and the body"},
-             .scope = Scope::once,
-             .run = sacs}};
+    return {oracle_check("eq24_tubes", Level::scalar, {"24"},
+                         "the tubes have their radii, angles and lengths",
+                         {"a ruler along and across each axis"}, tubes),
+            oracle_check("table2_sacs", Level::scalar, {},
+                         "the three sacs have the widths of Table 2, grown or not",
+                         {"a ruler through the neck plane and the body"}, sacs)};
 }
 
 } // namespace aneurysm::checks

@@ -287,33 +287,24 @@ void convergence(Probe& probe)
 
 std::vector<Check> oracle_duct_checks()
 {
-    const auto check = [](std::string_view id, Level level, std::vector<std::string_view> equations,
-                          std::string_view title, std::vector<std::string_view> oracles,
-                          void (*run)(Probe&)) {
-        return Check{.id = id,
-                     .level = level,
-                     .equations = std::move(equations),
-                     .title = title,
-                     .oracles = std::move(oracles),
-                     .scope = Scope::once,
-                     .run = run};
-    };
     return {
-        check("oracle_duct_symbol", Level::lattice, {"7", "15"},
-              "columns of a duct have the lattice's symbol", {"sums by columns", "sums over the lattice"},
-              symbol_of_the_duct),
-        check("oracle_duct_steady", Level::lattice, {"7", "15", "27"},
-              "the steady flow of a duct on the lattice is the same by two decompositions, and the parabola "
-              "for h = dx",
-              {"gsl_linalg_LU", "Eigen LDL^T", "closed form"}, steady_ducts),
-        check("oracle_duct_steps", Level::transient, {"7", "15", "27"},
-              "steps on the lattice are the same in closed form and one by one",
-              {"gsl_eigen_symmv", "long double"}, stepped_ducts),
-        check("oracle_duct_slides", Level::transient, {"5", "7", "15", "27"},
-              "columns that slide have the frozen ones' flow, and the sums over all pairs",
-              {"sliding columns", "frozen columns", "sums over all pairs"}, slid_ducts),
-        check("oracle_duct_limit", Level::continuous, {"7", "15", "27"},
-              "the steady flow on the lattice tends to Poiseuille's", {"lattice", "Poiseuille"}, convergence),
+        oracle_check("oracle_duct_symbol", Level::lattice, {"7", "15"},
+                     "columns of a duct have the lattice's symbol",
+                     {"sums by columns", "sums over the lattice"}, symbol_of_the_duct),
+        oracle_check(
+            "oracle_duct_steady", Level::lattice, {"7", "15", "27"},
+            "the steady flow of a duct on the lattice is the same by two decompositions, and the parabola "
+            "for h = dx",
+            {"gsl_linalg_LU", "Eigen LDL^T", "closed form"}, steady_ducts),
+        oracle_check("oracle_duct_steps", Level::transient, {"7", "15", "27"},
+                     "steps on the lattice are the same in closed form and one by one",
+                     {"gsl_eigen_symmv", "long double"}, stepped_ducts),
+        oracle_check("oracle_duct_slides", Level::transient, {"5", "7", "15", "27"},
+                     "columns that slide have the frozen ones' flow, and the sums over all pairs",
+                     {"sliding columns", "frozen columns", "sums over all pairs"}, slid_ducts),
+        oracle_check("oracle_duct_limit", Level::continuous, {"7", "15", "27"},
+                     "the steady flow on the lattice tends to Poiseuille's", {"lattice", "Poiseuille"},
+                     convergence),
     };
 }
 

@@ -240,32 +240,24 @@ void vortices(Probe& probe)
 
 std::vector<Check> oracle_flow_checks()
 {
-    const auto check = [](std::string_view id, Level level, std::string_view title,
-                          std::vector<std::string_view> oracles, void (*run)(Probe&)) {
-        return Check{.id = id,
-                     .level = level,
-                     .equations = {"1", "27"},
-                     .title = title,
-                     .oracles = std::move(oracles),
-                     .scope = Scope::once,
-                     .run = run};
-    };
     return {
-        check("oracle_bessel", Level::scalar, "three evaluations of J_0 and J_1 of complex argument agree",
-              {"power series", "Bessel's integral", "Bessel's equation by GSL", "gsl_sf_bessel"},
-              bessel_functions),
-        check("oracle_flow_from_rest", Level::continuous,
-              "the exact flows from rest are those of their Laplace transforms",
-              {"series of modes", "Talbot's contour"}, flow_from_rest),
-        check("oracle_flow_start", Level::continuous, "the exact flows begin at rest",
-              {"series of modes", "rest"}, rest_at_the_start),
-        check("oracle_flow_balance", Level::continuous,
-              "flow rate and wall shear are those of the velocity, and balance its momentum",
-              {"closed forms", "GSL quadrature and derivative"}, balances),
-        check("oracle_flow_slow", Level::continuous, "a slow pulse is Poiseuille's flow",
-              {"Womersley", "Poiseuille"}, slow_pulse),
-        check("oracle_vortices", Level::continuous, "Taylor and Green's vortices solve (1) and (3)",
-              {"closed form", "GSL derivatives"}, vortices),
+        oracle_check("oracle_bessel", Level::scalar, {"1", "27"},
+                     "three evaluations of J_0 and J_1 of complex argument agree",
+                     {"power series", "Bessel's integral", "Bessel's equation by GSL", "gsl_sf_bessel"},
+                     bessel_functions),
+        oracle_check("oracle_flow_from_rest", Level::continuous, {"1", "27"},
+                     "the exact flows from rest are those of their Laplace transforms",
+                     {"series of modes", "Talbot's contour"}, flow_from_rest),
+        oracle_check("oracle_flow_start", Level::continuous, {"1", "27"}, "the exact flows begin at rest",
+                     {"series of modes", "rest"}, rest_at_the_start),
+        oracle_check("oracle_flow_balance", Level::continuous, {"1", "27"},
+                     "flow rate and wall shear are those of the velocity, and balance its momentum",
+                     {"closed forms", "GSL quadrature and derivative"}, balances),
+        oracle_check("oracle_flow_slow", Level::continuous, {"1", "27"}, "a slow pulse is Poiseuille's flow",
+                     {"Womersley", "Poiseuille"}, slow_pulse),
+        oracle_check("oracle_vortices", Level::continuous, {"1", "27"},
+                     "Taylor and Green's vortices solve (1) and (3)", {"closed form", "GSL derivatives"},
+                     vortices),
     };
 }
 

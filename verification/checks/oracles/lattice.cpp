@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace aneurysm::checks
 {
@@ -202,37 +203,88 @@ void eq03_limits(Probe& probe)
     damped.holds(analytic::largest_root(0, -1.001) > 1, "without momentum, -1.001");
 }
 
+/// The wave of a periodic box with `cells` along each edge that a relaxation of 1 damps most, and by how much.
+std::pair<Vector3d, double> most_damped_wave(const Lattice& l, int cells)
+{
+    std::pair<Vector3d, double> most{Vector3d::Zero(), 0};
+    for (int i = 1; i <= cells / 2; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            for (int m = 0; m <= j; ++m) {
+                const Vector3d k = 2 * pi / (cells * l.dx) * Vector3d(i, j, m);
+                const double damped = 1 - analytic::step_factor(l, 1, k).value;
+                most = damped > most.second ? std::pair{k, damped} : most;
+            }
+        }
+    }
+    return most;
+}
+
+void eq03_stability(Probe& probe)
+{
+    constexpr int iterations = 400;
+    Quantity& below = probe.quantity(
+        "what 400 iterations leave of the most damped wave's residual, at and below the limit [1]",
+        Source::truncation,
+        "10 times the larger root for theta = 1 to the power 400, since a smaller theta damps more and the two roots' "
+        "shares of the start are below 5; + the recurrence's own error");
+    Quantity& above =
+        probe.quantity("growth 1 % above the limit", Source::exact,
+                       "claims: the lattice's limit is not above the box's, and more is left after 400 "
+                       "iterations than after 200: the root beyond -1 grows like 1.03 an iteration");
+    const double rho_0 = 1050;
+    for (const KernelName kernel : both_kernels) {
+        const Lattice l = lattice(kernel, 1);
+        const analytic::Medium medium{l, rho_0 / analytic::kernel_sum(l).value, rho_0};
+        const auto [k, damped] = most_damped_wave(l, 8);
+        const std::array<analytic::ResidualWave, 1> wave{{{k, 1, 1}}};
+        const auto left = [&](double omega, int n) {
+            return analytic::accelerated_waves(medium, omega, 1e-3, wave, n).residual.back()[0];
+        };
+        const double of_lattice = analytic::relaxation_limit(l).value;
+        const double of_box = 4.0 / 3 / damped;
+        for (const double omega : {of_lattice, 0.99 * of_box}) {
+            const Estimate rest = left(omega, iterations);
+            const double root = analytic::largest_root(1, 1 - omega * damped);
+            below.within(rest.value, 0, rest.error + 10 * std::pow(root, iterations),
+                         kernel_text(kernel) + at({{"omega", omega}}));
+        }
+        above.holds(of_lattice <= of_box, kernel_text(kernel) + "limits");
+        const double early = std::abs(left(1.01 * of_box, iterations / 2).value);
+        const double late = std::abs(left(1.01 * of_box, iterations).value);
+        above.holds(late > early, kernel_text(kernel) + "residual");
+    }
+}
+
 } // namespace
 
 std::vector<Check> oracle_lattice_checks()
 {
-    const auto check = [](std::string_view id, std::string_view equation, std::string_view title,
-                          std::vector<std::string_view> oracles, void (*run)(Probe&), bool quick = true) {
-        return Check{.id = id,
-                     .level = Level::lattice,
-                     .equations = {equation},
-                     .title = title,
-                     .oracles = std::move(oracles),
-                     .scope = Scope::once,
-                     .quick = quick,
-                     .run = run};
-    };
     return {
-        check("eq03_limits", "3",
-              "the largest relaxation of a lattice is the recorded one; momentum needs modes above -1/3",
-              {"search over the Brillouin zone", "a grid of wave vectors, recorded"}, eq03_limits),
-        check("eq04_transforms", "4", "the kernels' Fourier transforms are their sine integrals",
-              {"closed form and series", "GSL quadrature"}, eq04_transforms),
-        check("eq05_poisson", "5", "a lattice's density is the same in space and in Fourier space",
-              {"direct sum", "Poisson's formula"}, eq05_poisson),
-        check("eq05_recorded", "5", "a lattice's density is the recorded one", {"direct sum", "recorded"},
-              eq05_recorded),
-        check("eq06_poisson", "6", "a lattice's gradient is the same in space and in Fourier space",
-              {"direct sum", "Poisson's formula", "recorded"}, eq06_poisson, false),
-        check("eq07_transform", "7", "the Fourier transform of the viscosity Laplacian is its sine integral",
-              {"closed form and series", "GSL quadrature"}, eq07_transform),
-        check("eq07_poisson", "7", "a lattice's viscosity is the same in space and in Fourier space",
-              {"direct sum", "Poisson's formula"}, eq07_poisson, false),
+        oracle_check(
+            "eq03_limits", Level::lattice, {"3"},
+            "the largest relaxation of a lattice is the recorded one; momentum needs modes above -1/3",
+            {"search over the Brillouin zone", "a grid of wave vectors, recorded"}, eq03_limits),
+        oracle_check("eq03_stability", Level::lattice, {"3"},
+                     "the iteration diverges above the largest relaxation and not below",
+                     {"two-term recurrence with the symbol g(k)", "search over the Brillouin zone"},
+                     eq03_stability),
+        oracle_check("eq04_transforms", Level::lattice, {"4"},
+                     "the kernels' Fourier transforms are their sine integrals",
+                     {"closed form and series", "GSL quadrature"}, eq04_transforms),
+        oracle_check("eq05_poisson", Level::lattice, {"5"},
+                     "a lattice's density is the same in space and in Fourier space",
+                     {"direct sum", "Poisson's formula"}, eq05_poisson),
+        oracle_check("eq05_recorded", Level::lattice, {"5"}, "a lattice's density is the recorded one",
+                     {"direct sum", "recorded"}, eq05_recorded),
+        oracle_check("eq06_poisson", Level::lattice, {"6"},
+                     "a lattice's gradient is the same in space and in Fourier space",
+                     {"direct sum", "Poisson's formula", "recorded"}, eq06_poisson, false),
+        oracle_check("eq07_transform", Level::lattice, {"7"},
+                     "the Fourier transform of the viscosity Laplacian is its sine integral",
+                     {"closed form and series", "GSL quadrature"}, eq07_transform),
+        oracle_check("eq07_poisson", Level::lattice, {"7"},
+                     "a lattice's viscosity is the same in space and in Fourier space",
+                     {"direct sum", "Poisson's formula"}, eq07_poisson, false),
     };
 }
 

@@ -98,13 +98,10 @@ void pairs(Probe& probe)
 
 std::vector<Check> oracle_pair_checks()
 {
-    return {{.id = "oracle_pairs",
-             .level = Level::lattice,
-             .equations = {"2", "3", "5", "6", "7"},
-             .title = "the sums over all pairs of a cloud are those of 50 digits, within their own bounds",
-             .oracles = {"pair sums in double", "terms from the kernels' definitions, added with 50 digits"},
-             .scope = Scope::once,
-             .run = pairs}};
+    return {oracle_check("oracle_pairs", Level::lattice, {"2", "3", "5", "6", "7"},
+                         "the sums over all pairs of a cloud are those of 50 digits, within their own bounds",
+                         {"pair sums in double", "terms from the kernels' definitions, added with 50 digits"},
+                         pairs)};
 }
 
 } // namespace aneurysm::checks

@@ -126,22 +126,12 @@ void pressed_rows(Probe& probe)
 
 std::vector<Check> oracle_row_checks()
 {
-    const auto check = [](std::string_view id, Level level, std::vector<std::string_view> equations,
-                          std::string_view title, std::vector<std::string_view> oracles,
-                          void (*run)(Probe&)) {
-        return Check{.id = id,
-                     .level = level,
-                     .equations = std::move(equations),
-                     .title = title,
-                     .oracles = std::move(oracles),
-                     .scope = Scope::once,
-                     .run = run};
-    };
     return {
-        check("oracle_sliding_rows", Level::lattice, {"5", "7"}, "viscosity and density of rows that slide",
-              {"row sums", "lattice sums", "rows of a cloud"}, sliding_rows),
-        check("oracle_pressed_rows", Level::lattice, {"2", "3"}, "the pressures of rows solve (3)",
-              {"row matrix", "sums over all pairs"}, pressed_rows),
+        oracle_check("oracle_sliding_rows", Level::lattice, {"5", "7"},
+                     "viscosity and density of rows that slide",
+                     {"row sums", "lattice sums", "rows of a cloud"}, sliding_rows),
+        oracle_check("oracle_pressed_rows", Level::lattice, {"2", "3"}, "the pressures of rows solve (3)",
+                     {"row matrix", "sums over all pairs"}, pressed_rows),
     };
 }
 

@@ -209,35 +209,17 @@ std::vector<Check> metamorphic_checks()
 {
     const std::vector<std::string_view> flow{"1", "2", "3", "5", "6", "7", "15", "EOS"};
     return {
-        {.id = "units",
-         .level = Level::metamorphic,
-         .equations = {"1", "2", "3", "5", "7", "13", "15", "16", "19", "21", "22", "24", "25", "26", "28"},
-         .title =
-             "a run in other units of length, time and mass is the same run: every formula has its dimension",
-         .oracles = {"the run itself in SI units"},
-         .scope = Scope::flows,
-         .run = units},
-        {.id = "restart",
-         .level = Level::metamorphic,
-         .equations = flow,
-         .title = "a run that was stopped and taken up again is the same run",
-         .oracles = {"the uninterrupted run"},
-         .scope = Scope::flows,
-         .run = restart},
-        {.id = "threads",
-         .level = Level::metamorphic,
-         .equations = flow,
-         .title = "more threads, or other blocks on a GPU, change no bit",
-         .oracles = {"the run on one thread"},
-         .scope = Scope::backends,
-         .run = threads},
-        {.id = "pictures",
-         .level = Level::metamorphic,
-         .equations = flow,
-         .title = "a box that is mirrored or moved through its seams behaves as before",
-         .oracles = {"the box as it was"},
-         .scope = Scope::once,
-         .run = pictures},
+        same_run_check(
+            "units", {"1", "2", "3", "5", "7", "13", "15", "16", "19", "21", "22", "24", "25", "26", "28"},
+            "a run in other units of length, time and mass is the same run: every formula has its dimension",
+            {"the run itself in SI units"}, units),
+        same_run_check("restart", flow, "a run that was stopped and taken up again is the same run",
+                       {"the uninterrupted run"}, restart),
+        same_run_check("threads", flow, "more threads, or other blocks on a GPU, change no bit",
+                       {"the run on one thread"}, threads, Scope::backends),
+        same_run_check("pictures", flow,
+                       "a box that is mirrored or moved through its seams behaves as before",
+                       {"the box as it was"}, pictures, Scope::once),
     };
 }
 

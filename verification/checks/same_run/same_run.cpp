@@ -189,27 +189,13 @@ std::vector<Check> same_run_checks()
 {
     const std::vector<std::string_view> flow{"1", "2", "3", "5", "6", "7", "15", "EOS"};
     return {
-        {.id = "labels",
-         .level = Level::metamorphic,
-         .equations = flow,
-         .title = "a box whose particles have other numbers behaves as before",
-         .oracles = {"the box as it was numbered"},
-         .scope = Scope::flows,
-         .run = labels},
-        {.id = "memory",
-         .level = Level::metamorphic,
-         .equations = flow,
-         .title = "a run doesn't depend on what was in memory before",
-         .oracles = {"the run in fresh memory"},
-         .scope = Scope::flows,
-         .run = memory},
-        {.id = "substeps",
-         .level = Level::metamorphic,
-         .equations = {"1", "3", "7", "15", "16", "25", "26"},
-         .title = "a frame of two flow steps is two frames of half the length, until the wall moves",
-         .oracles = {"the run in short frames"},
-         .scope = Scope::flows,
-         .run = substeps},
+        same_run_check("labels", flow, "a box whose particles have other numbers behaves as before",
+                       {"the box as it was numbered"}, labels),
+        same_run_check("memory", flow, "a run doesn't depend on what was in memory before",
+                       {"the run in fresh memory"}, memory),
+        same_run_check("substeps", {"1", "3", "7", "15", "16", "25", "26"},
+                       "a frame of two flow steps is two frames of half the length, until the wall moves",
+                       {"the run in short frames"}, substeps),
     };
 }
 

@@ -21,14 +21,12 @@ Box drop(const Probe& probe, const Scenario& s, double speed)
 {
     Box box(probe, s);
     box.disturb(0.15, 0.05, 2441);
+    box.keep_drop(inside);
     Particles& p = box.state().particles;
-    const double dx = s.domain.spacing_m;
-    const double middle = box.edge() / 2;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        const Vec3 d = p.position[i] - Vec3{middle, middle, middle};
-        const bool kept = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) < inside / 2.0 * dx;
-        p.kind[i] = kept ? Kind::fluid : Kind::reserve;
-        p.velocity[i] = kept ? p.velocity[i] - speed / (inside * dx) * d : Vec3{};
+        if (p.kind[i] == Kind::fluid) {
+            p.velocity[i] -= speed / (inside * s.domain.spacing_m) * (p.position[i] - box.middle());
+        }
         p.pressure[i] = 0;
     }
     return box;
@@ -44,14 +42,13 @@ struct Change {
 Change change(const Box& box, const SimulationState& after)
 {
     Change sum;
-    const double middle = box.edge() / 2;
     for (std::size_t i = 0; i < box.size(); ++i) {
         if (box.state().particles.kind[i] != Kind::fluid) {
             continue;
         }
         const Vec3& v_0 = box.state().particles.velocity[i];
         const Vec3& v = after.particles.velocity[i];
-        const Vec3 x = box.state().particles.position[i] - Vec3{middle, middle, middle};
+        const Vec3 x = box.state().particles.position[i] - box.middle();
         const Vec3 dv = v - v_0;
         sum.momentum += dv;
         sum.angular += Vec3{x.y * dv.z - x.z * dv.y, x.z * dv.x - x.x * dv.z, x.x * dv.y - x.y * dv.x};
@@ -122,20 +119,11 @@ void viscosity(Probe& probe)
 std::vector<Check> momentum_checks()
 {
     return {
-        {.id = "eq03_momentum",
-         .level = Level::lattice,
-         .equations = {"3"},
-         .title = "the pressure solve gives a drop neither momentum nor angular momentum",
-         .oracles = {"Newton's third law", "central forces"},
-         .scope = Scope::flows,
-         .run = pressure},
-        {.id = "eq07_momentum",
-         .level = Level::lattice,
-         .equations = {"7", "15"},
-         .title = "friction gives a drop no momentum",
-         .oracles = {"Newton's third law"},
-         .scope = Scope::flows,
-         .run = viscosity},
+        sum_check("eq03_momentum", {"3"},
+                  "the pressure solve gives a drop neither momentum nor angular momentum",
+                  {"Newton's third law", "central forces"}, pressure),
+        sum_check("eq07_momentum", {"7", "15"}, "friction gives a drop no momentum", {"Newton's third law"},
+                  viscosity),
     };
 }
 

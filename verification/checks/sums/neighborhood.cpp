@@ -72,13 +72,9 @@ void neighbors(Probe& probe)
 
 std::vector<Check> neighborhood_checks()
 {
-    return {{.id = "eq05_neighbors",
-             .level = Level::lattice,
-             .equations = {"5", "7"},
-             .title = "each particle feels those within the support, through the seams, too, and no others",
-             .oracles = {"brute force over all pairs"},
-             .scope = Scope::flows,
-             .run = neighbors}};
+    return {sum_check("eq05_neighbors", {"5", "7"},
+                      "each particle feels those within the support, through the seams, too, and no others",
+                      {"brute force over all pairs"}, neighbors)};
 }
 
 } // namespace aneurysm::checks

@@ -203,7 +203,7 @@ void velocity_waves(Probe& probe)
         const std::vector<Mode> modes = box.modes();
         for (std::size_t m = 0; m < modes.size(); m += kernel == KernelName::cubic_spline ? 1 : 4) {
             const Mode& n = modes[m];
-            const analytic::Wave wave{box.wave_vector(n), {0.5, -0.75, 0.625}, 0};
+            const analytic::Wave wave{box.wave_vector(n), {0.5, -0.75, 0.625}};
             const auto c = box.wave(n);
             const auto sines = box.wave(n, -0.25);
             box.set_velocity(c, to_vec3(wave.v_1));
@@ -238,36 +238,21 @@ void velocity_waves(Probe& probe)
 std::vector<Check> operator_checks()
 {
     return {
-        {.id = "eq05_lattice",
-         .level = Level::lattice,
-         .equations = {"5", "4"},
-         .title = "the density of a lattice is its lattice sum",
-         .oracles = {"direct lattice sum", "Poisson's formula (holds for the direct sum, oracle checks)"},
-         .scope = Scope::flows,
-         .run = lattice_density},
-        {.id = "eq05_cloud",
-         .level = Level::lattice,
-         .equations = {"5", "4"},
-         .title = "the density of a disturbed cloud is the sum over all pairs, no neighbor missed or "
+        sum_check("eq05_lattice", {"5", "4"}, "the density of a lattice is its lattice sum",
+                  {"direct lattice sum", "Poisson's formula (holds for the direct sum, oracle checks)"},
+                  lattice_density),
+        sum_check("eq05_cloud", {"5", "4"},
+                  "the density of a disturbed cloud is the sum over all pairs, no neighbor missed or "
                   "counted twice",
-         .oracles = {"brute force over all pairs"},
-         .scope = Scope::flows,
-         .run = cloud_density},
-        {.id = "eq01_cloud_frame",
-         .level = Level::lattice,
-         .equations = {"1", "2", "6", "7", "15", "EOS"},
-         .title =
-             "one step of a disturbed cloud: pressure by the equation of state, viscosity, gravity, motion",
-         .oracles = {"brute force over all pairs"},
-         .scope = Scope::flows,
-         .run = cloud_frame},
-        {.id = "eq07_waves",
-         .level = Level::lattice,
-         .equations = {"7", "2", "1", "15"},
-         .title = "every wave of velocity decays by its symbol and has its divergence",
-         .oracles = {"symbol by direct lattice sum", "symbol by Poisson's formula (oracle checks)"},
-         .scope = Scope::flows,
-         .run = velocity_waves},
+                  {"brute force over all pairs"}, cloud_density),
+        sum_check(
+            "eq01_cloud_frame", {"1", "2", "6", "7", "15", "EOS"},
+            "one step of a disturbed cloud: pressure by the equation of state, viscosity, gravity, motion",
+            {"brute force over all pairs"}, cloud_frame),
+        sum_check("eq07_waves", {"7", "2", "1", "15"},
+                  "every wave of velocity decays by its symbol and has its divergence",
+                  {"symbol by direct lattice sum", "symbol by Poisson's formula (oracle checks)"},
+                  velocity_waves),
     };
 }
 

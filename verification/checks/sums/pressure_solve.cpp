@@ -3,6 +3,7 @@
 // On a full lattice the iteration acts on every wave by itself, by a known factor,
 // so that its pressures and the number of its iterations are known beforehand.
 #include "analytic/incompressible.hpp"
+#include "analytic/kernel_function.hpp"
 #include "common/error.hpp"
 #include "verification/checks/box.hpp"
 #include "verification/checks/checks.hpp"
@@ -39,7 +40,7 @@ analytic::Iteration expected(const Box& box, const std::vector<Push>& pushes, in
 {
     std::vector<analytic::ResidualWave> waves;
     for (const Push& push : pushes) {
-        const analytic::Wave wave{box.wave_vector(push.mode), push.v_1, 0};
+        const analytic::Wave wave{box.wave_vector(push.mode), push.v_1};
         // of v_1 cos(k.r) it is -m v_1.G sin(k.r), a quarter of a turn later that is +cos
         waves.push_back({wave.k, -analytic::density_rate(box.medium(), wave, 1).value, 0.5});
     }
@@ -243,7 +244,7 @@ void relaxation_limit(Probe& probe)
     Quantity& refused = probe.quantity("refusals", Source::truncation,
                                        "the subject's search is on a grid that misses the maximum by up to "
                                        "0.15 %, which it covers by 0.2 %: just above "
-                                       "the oracle's limit it must refuse, 0.5 % below it must not");
+                                       "the oracle's limit it must refuse, 0.2 % below it must not");
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
         for (const double ratio : {1.0, 1.2, 1.3}) {
             Scenario s = box_scenario(kernel, ratio);
@@ -259,7 +260,7 @@ void relaxation_limit(Probe& probe)
                 return false;
             };
             refused.holds(is_refused(1.0001 * limit), "above, h/dx " + std::to_string(ratio));
-            refused.holds(!is_refused(0.995 * limit), "below, h/dx " + std::to_string(ratio));
+            refused.holds(!is_refused(0.998 * limit), "below, h/dx " + std::to_string(ratio));
         }
     }
 }
@@ -429,39 +430,102 @@ void first_iteration(Probe& probe)
     acting.holds(pressed > 0 && pressed < box.size());
 }
 
+/// Two particles a spacing apart, and nobody else.
+struct TwoParticles {
+    Box box;
+    std::vector<std::size_t> who;
+
+    TwoParticles(const Probe& probe, const Scenario& s, double pressure, double approach) : box(probe, s)
+    {
+        box.keep_drop(2);
+        Particles& p = box.state().particles;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            const Vec3 x = p.position[i] - box.middle();
+            const bool kept = p.kind[i] == Kind::fluid && x.y < 0 && x.z < 0;
+            p.kind[i] = kept ? Kind::fluid : Kind::reserve;
+            p.pressure[i] = kept ? pressure : 0;
+            if (kept) {
+                p.velocity[i].x = x.x < 0 ? approach / 2 : -approach / 2;
+                who.push_back(i);
+            }
+        }
+    }
+};
+
+/// Pressures that the step alone takes below 0 in the first iteration, and those that the momentum does in the
+/// fourth.
+void two_bodies(Probe& probe)
+{
+    Quantity& pressure = probe.quantity(
+        "pressure of two particles [Pa]", Source::rounding,
+        "an iteration adds two changes of at most 2 p, with 40 roundings of two slopes each; error_gain says what "
+        "that becomes under |g| = |1 - 2 omega| and theta; + the oracle's own error");
+    Quantity& floor = probe.quantity("pressures that end at 0", Source::exact,
+                                     "a claim: each kernel's once, else the check would not see the floor");
+    constexpr double start = 1000;       // [Pa]
+    constexpr double approach = 0x1p-11; // speed at which they come nearer [m/s]
+    for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+        Scenario s = solve_scenario(kernel);
+        s.pressure.relaxation = kernel == KernelName::cubic_spline ? 0.25 : 0.508; // g = 0.5 and -0.016
+        s.pressure.tolerance_per_s = 1e-300;
+        int at_zero = 0;
+        for (int n = 1; n <= 6; ++n) {
+            s.pressure.max_iterations = n;
+            const TwoParticles two(probe, s, start, approach);
+            const analytic::Medium& medium = two.box.medium();
+            const double h = medium.lattice.h;
+            const double rate = -medium.mass * analytic::kernel_slope(kernel, h, h) * approach;
+            const auto oracle =
+                analytic::accelerated_two_bodies({kernel, h, h, medium.mass, medium.density, start, rate},
+                                                 s.pressure.relaxation, s.time.frame_s, n);
+            const double once = probe.gamma(2 * 40 + 16) * 4 * std::max(oracle.reach, start);
+            const double error =
+                analytic::error_gain(oracle.theta, -std::abs(1 - 2 * s.pressure.relaxation)) * once;
+            if (2 * error >= oracle.margin) {
+                break; // from here on rounding decides about a restart
+            }
+            const auto flow = probe.simulate(s, two.box.state());
+            flow->advance();
+            const analytic::Estimate expected = oracle.pressure.back()[0];
+            for (const std::size_t i : two.who) {
+                pressure.within(flow->solved_pressure()[i], expected.value, expected.error + error,
+                                "iteration " + std::to_string(n));
+            }
+            at_zero += expected.value == 0 ? 1 : 0;
+        }
+        floor.equal(at_zero, 1);
+    }
+}
+
 } // namespace
 
 std::vector<Check> pressure_solve_checks()
 {
-    const auto check = [](std::string_view id, std::string_view title, std::vector<std::string_view> oracles,
-                          void (*run)(Probe&)) {
-        return Check{.id = id,
-                     .level = Level::lattice,
-                     .equations = {"3"},
-                     .title = title,
-                     .oracles = std::move(oracles),
-                     .scope = Scope::flows,
-                     .run = run};
-    };
     return {
-        check("eq03_waves", "the iteration changes every wave of a lattice by its own factor",
-              {"two-term recurrence with the symbol g(k)"}, each_wave),
-        check("eq03_restarts", "two waves restart the momentum together when their sum goes back",
-              {"two-term recurrence of two waves"}, two_waves),
-        check("eq03_iteration_count", "the solve stops in the iteration that was predicted",
-              {"two-term recurrence with the symbol g(k)"}, iteration_count),
-        check("eq03_relaxation_limit", "a relaxation beyond the stability limit is refused, one below is not",
-              {"largest eigenvalue by search over the Brillouin zone (gsl_multimin)"}, relaxation_limit),
-        check("eq03_density_part", "the density's part of (3) is beta times its error over the step",
-              {"brute force over all pairs"}, density_part),
-        check("eq03_start", "a solve starts from the last step's pressures, or from the neighbors' mean",
-              {"the pressures given", "brute force over all pairs"}, start_of_the_solve),
-        check("eq03_factor",
-              "in a disturbed cloud each particle answers its residual by its own DFSPH factor",
-              {"brute force over all pairs"}, first_iteration),
-        check("eq03_cloud",
-              "a disturbed cloud's solution obeys (3), pulls nowhere and moves the blood by its pressure",
-              {"brute force over all pairs"}, solves_a_cloud),
+        sum_check("eq03_waves", {"3"}, "the iteration changes every wave of a lattice by its own factor",
+                  {"two-term recurrence with the symbol g(k)"}, each_wave),
+        sum_check("eq03_restarts", {"3"}, "two waves restart the momentum together when their sum goes back",
+                  {"two-term recurrence of two waves"}, two_waves),
+        sum_check("eq03_iteration_count", {"3"}, "the solve stops in the iteration that was predicted",
+                  {"two-term recurrence with the symbol g(k)"}, iteration_count),
+        sum_check("eq03_relaxation_limit", {"3"},
+                  "a relaxation beyond the stability limit is refused, one below is not",
+                  {"largest eigenvalue by search over the Brillouin zone (gsl_multimin)"}, relaxation_limit),
+        sum_check("eq03_density_part", {"3"},
+                  "the density's part of (3) is beta times its error over the step",
+                  {"brute force over all pairs"}, density_part),
+        sum_check("eq03_start", {"3"},
+                  "a solve starts from the last step's pressures, or from the neighbors' mean",
+                  {"the pressures given", "brute force over all pairs"}, start_of_the_solve),
+        sum_check("eq03_factor", {"3"},
+                  "in a disturbed cloud each particle answers its residual by its own DFSPH factor",
+                  {"brute force over all pairs"}, first_iteration),
+        sum_check("eq03_two_bodies", {"3"},
+                  "the pressures of two particles do not pass 0, by the step or by the momentum",
+                  {"iteration of one number"}, two_bodies),
+        sum_check("eq03_cloud", {"3"},
+                  "a disturbed cloud's solution obeys (3), pulls nowhere and moves the blood by its pressure",
+                  {"brute force over all pairs"}, solves_a_cloud),
     };
 }
 

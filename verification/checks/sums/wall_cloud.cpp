@@ -1,84 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Disturbed blood between two plates: what the wall's ghosts add
 // to every sum of section 3.1, against all pairs.
-#include "common/scenario/shipped.hpp"
 #include "verification/checks/box.hpp"
 #include "verification/checks/checks.hpp"
+#include "verification/checks/sums/plates.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 
 namespace aneurysm::checks
 {
 namespace
 {
-
-constexpr int rows = 3; ///< between the plates; few, so that the cloud's cube holds them and their ghosts
-constexpr int cells = 8;
-
-Scenario plates()
-{
-    Scenario s = shipped_scenario("verify_channel");
-    s.domain.cells_x = s.domain.cells_z = cells;
-    s.domain.cells_y = rows;
-    s.particles.count = cells * rows * cells;
-    s.particles.jitter_spacings = 0;
-    s.kernel.smoothing_length_spacings = 1;
-    s.time.frame_s = 0x1p-12;
-    s.fluid.viscosity_pa_s = 64;
-    s.fluid.gravity_m_s2 = {};
-    s.fluid.gravity_cycle_s = 0;
-    s.pressure.relaxation = 0.2;
-    s.pressure.density_correction = 0; // else a fresh start settles
-    return s;
-}
-
-/// Each particle up to a quarter of a spacing from its place, with velocities up to 0.5 m/s.
-SimulationState disturbed(const Probe& probe, const Scenario& s)
-{
-    SimulationState state = probe.simulate(s)->state();
-    std::mt19937_64 bits(2449);
-    const auto random = [&] { return std::ldexp(static_cast<double>(bits() >> 54U), -9) - 1; };
-    for (std::size_t i = 0; i < state.particles.size(); ++i) {
-        for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-            state.particles.position[i].*axis += s.domain.spacing_m / 4 * random();
-            state.particles.velocity[i].*axis = random() / 2;
-        }
-    }
-    return state;
-}
-
-/// The blood, and two layers of the wall's ghosts on either side: lattice points with a particle's mass, at
-/// rest, of the rest density.
-analytic::Cloud cloud_of(const Scenario& s, const SimulationState& state, const std::vector<double>& density)
-{
-    const double dx = s.domain.spacing_m;
-    analytic::Cloud c;
-    c.kernel = s.kernel.function;
-    c.h = dx;
-    c.period = cells * dx;
-    for (std::size_t i = 0; i < state.particles.size(); ++i) {
-        c.position.push_back(to_eigen(state.particles.position[i]));
-        c.velocity.push_back(to_eigen(state.particles.velocity[i]));
-    }
-    c.free.assign(c.position.size(), true);
-    c.density = density;
-    for (const double y : {-1.5, -0.5, rows + 0.5, rows + 1.5}) {
-        for (int i = 0; i < cells; ++i) {
-            for (int k = 0; k < cells; ++k) {
-                c.position.emplace_back((i + 0.5) * dx, y * dx, (k + 0.5) * dx);
-                c.velocity.emplace_back(0, 0, 0);
-                c.free.push_back(false);
-                c.density.push_back(s.fluid.density_kg_m3);
-            }
-        }
-    }
-    c.mass.assign(c.position.size(), state.particles.mass);
-    c.pressure.assign(c.position.size(), 0);
-    return c;
-}
 
 /// (5), (6) with the equation of state and (7), then (2) of the new velocity.
 void by_state(Probe& probe)
@@ -195,20 +129,12 @@ void by_solve(Probe& probe)
 
 std::vector<Check> wall_cloud_checks()
 {
-    return {{.id = "eq27_cloud_frame",
-             .level = Level::lattice,
-             .equations = {"27", "2", "5", "6", "7", "EOS"},
-             .title = "disturbed blood between plates feels the ghosts of both in every sum",
-             .oracles = {"brute force over all pairs"},
-             .scope = Scope::flows,
-             .run = by_state},
-            {.id = "eq27_cloud_iteration",
-             .level = Level::lattice,
-             .equations = {"27", "2", "3"},
-             .title = "between plates an iteration of (3) answers each particle's residual by its own factor",
-             .oracles = {"brute force over all pairs"},
-             .scope = Scope::flows,
-             .run = by_solve}};
+    return {sum_check("eq27_cloud_frame", {"27", "2", "5", "6", "7", "EOS"},
+                      "disturbed blood between plates feels the ghosts of both in every sum",
+                      {"brute force over all pairs"}, by_state),
+            sum_check("eq27_cloud_iteration", {"27", "2", "3"},
+                      "between plates an iteration of (3) answers each particle's residual by its own factor",
+                      {"brute force over all pairs"}, by_solve)};
 }
 
 } // namespace aneurysm::checks

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "common/equations.hpp"
 #include "verification/checks/checks.hpp"
+#include "common/equations.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace aneurysm::checks
 {
@@ -22,6 +23,38 @@ std::ptrdiff_t place_in_paper(const Check& check)
 
 } // namespace
 
+Check formula_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run)
+{
+    return {id, Level::scalar, std::move(equations), title, std::move(oracles), Scope::equations, true, run};
+}
+
+Check sum_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run)
+{
+    return {id, Level::lattice, std::move(equations), title, std::move(oracles), Scope::flows, true, run};
+}
+
+Check flow_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run)
+{
+    return {id, Level::transient, std::move(equations), title, std::move(oracles), Scope::flows, true, run};
+}
+
+Check limit_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run)
+{
+    return {id, Level::continuous, std::move(equations), title, std::move(oracles), Scope::flows, false, run};
+}
+
+Check same_run_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run,
+                     Scope scope)
+{
+    return {id, Level::metamorphic, std::move(equations), title, std::move(oracles), scope, true, run};
+}
+
+Check oracle_check(std::string_view id, Level level, Names equations, std::string_view title, Names oracles,
+                   Run run, bool quick)
+{
+    return {id, level, std::move(equations), title, std::move(oracles), Scope::once, quick, run};
+}
+
 const std::vector<Check>& all_checks()
 {
     static const std::vector<Check> checks = [] {
@@ -38,7 +71,7 @@ const std::vector<Check>& all_checks()
                  taylor_green_checks,    containment_checks,  metamorphic_checks,
                  executor_checks,        neighborhood_checks, wall_cloud_checks,
                  same_run_checks,        vessel_shape_checks, open_end_checks,
-                 oracle_pair_checks,     pipe_checks,
+                 oracle_pair_checks,     pipe_checks,         blood_flow_mass_checks,
              }) {
             std::vector<Check> more = of_subject();
             all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
