@@ -17,7 +17,8 @@ struct Hit {
     Inexact force; ///< [N]
 };
 
-/// Between which numbers the candidate's record of a frame must lie, given the reference's (docs/bounds.md, B28).
+/// The numbers between which the candidate's record of a frame must lie, given the
+/// reference's (docs/bounds.md, B28).
 class RecordBounds
 {
 public:

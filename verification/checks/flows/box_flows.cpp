@@ -25,9 +25,8 @@ void shear_wave(Probe& probe)
     const double u = probe.roundoff();
     Quantity& velocity =
         probe.quantity("velocity after 40 frames, relative to the wave's first [1]", Source::rounding,
-                       "each step adds dt times the error of the decay rate's lattice sum, for oracle and "
-                       "subject, and gamma_8; no mode of the lattice grows, so that an error stays as large "
-                       "as it was");
+                       "each step adds dt times the error of the decay rate, for oracle and subject, and "
+                       "gamma_8 (docs/bounds.md, B13)");
     Scenario s = box_scenario();
     s.fluid.viscosity_pa_s = 16;
     Plot plot{"Decay of shear waves", "frame", "amplitude / first amplitude", false, true, {}};
@@ -86,9 +85,8 @@ void sound(Probe& probe)
 {
     Quantity& frequency =
         probe.quantity("omega^2 of sound [1/s^2]", Source::truncation,
-                       "the wave at amplitudes +-A and +-A/2 leaves the fourth order, the square of the "
-                       "second's share, which the two tell; rounding is gamma_202 of the density's change k "
-                       "A/2, + the oracle's lattice sum");
+                       "runs with the amplitudes +-A and +-A/2 leave the fourth order only; gamma_202 of the "
+                       "change of density k A/2, and the oracle's lattice sum (docs/bounds.md, B4)");
     Scenario s = box_scenario();
     s.kernel.smoothing_length_spacings = 1.3;
     s.fluid.viscosity_pa_s = 0;

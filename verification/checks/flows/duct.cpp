@@ -38,18 +38,17 @@ void duct(Probe& probe)
     const auto layer = s.domain.cells_x * s.domain.cells_z;
     const double L = static_cast<double>(s.domain.cells_y) * dx;
     Quantity& in = probe.quantity("particles in at the inlet", Source::exact,
-                                  "integers: the slab's layers, dx apart and the first dx/2 away, pass the "
-                                  "plane when the way of the inlet has reached them; frames in which it is "
-                                  "nearer to that than gamma_4n L are left out");
+                                  "integers: a layer of ghosts passes the inlet when the inlet's way has "
+                                  "reached it; frames in which rounding decides that are left out "
+                                  "(docs/bounds.md, B12)");
     Quantity& stored = probe.quantity(
         "particles stored in the duct, in - out", Source::truncation,
-        "(3) keeps the volume: between two frames the duct holds rho_0 V within its density error, whose "
-        "mean is at most the recorded largest one, and half a layer at each end that is counted whole or not "
-        "at all");
+        "(3) keeps the volume as far as the density: the frame's largest density error times the particles, "
+        "and one layer (docs/bounds.md, B12)");
     Quantity& passed = probe.quantity(
         "particles that have passed the middle of the duct, against the inlet's way", Source::truncation,
-        "what is between holds its volume: half the duct's particles times the largest density error, half a "
-        "layer at the inlet, and in the middle one layer that lies on it");
+        "the frame's largest density error times half of the particles, half a layer at the inlet, and one "
+        "in the middle (docs/bounds.md, B12)");
     Plot plot{"Blood between an inlet and an outlet", "frame", "velocity [m/s]", false, false, {}};
     Series inlet{"inlet, (25)", {}, {}, true};
     Series blood{"blood in the middle", {}, {}, false};
@@ -160,8 +159,8 @@ void outlet(Probe& probe)
 {
     Quantity& velocity =
         probe.quantity("velocity of the rows at the outlet after one step [m/s]", Source::rounding,
-                       "dt/rho times (n + 40 + 16) u of the oracle's lattice sum of |terms|, for oracle and "
-                       "subject, and gamma_60 of v + dt F/rho, the rest density's own rounding among it");
+                       "dt/rho times (n + 40 + 16) u of the lattice sum of |terms|, for oracle and subject, "
+                       "and gamma_60 of v + dt F/rho (docs/bounds.md, B1)");
     Quantity& plug =
         probe.quantity("velocity of the outlet's slab [m/s]", Source::rounding,
                        "gamma_80 of v + dt p/(rho_0 D): the mean over 72 particles, then eight operations");

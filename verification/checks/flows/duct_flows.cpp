@@ -44,9 +44,8 @@ void frozen(Probe& probe)
     Quantity& place = placed(probe);
     Quantity& velocity = probe.quantity(
         "u/g of each particle, against its column's [s]", Source::rounding,
-        "in each step dt times the uncertainty of the couplings' sums on the flow, and the roundings of v + "
-        "dt (F/rho + g) and of the force's phase; the sum of all steps, or the largest times the bound of "
-        "the row sums of |A^-1|, which is how long it lasts");
+        "in each step dt times the uncertainty of the couplings and the rounding of the step, for as many "
+        "steps as a disturbance lasts (docs/bounds.md, B9)");
     const auto cases = {Laminar{Section::channel, 8, 1, {weak, 0}, 0.009},
                         Laminar{Section::channel, 16, 1, pulse(weak, 8), 0.002},
                         Laminar{Section::channel, 12, 1.3, pulse(weak, 4), 0.004},
@@ -74,9 +73,8 @@ void time_order(Probe& probe)
     Quantity& place = placed(probe);
     Quantity& order =
         probe.quantity("observed order in dt, against that of the lattice [1]", Source::rounding,
-                       "p = log2(|u_dt - u_dt/2| / |u_dt/2 - u_dt/4|) with the columns' root mean squares, "
-                       "each difference known to the bounds of its two flows, 2/ln 2 times what that is of "
-                       "the smaller one");
+                       "the order is the logarithm of a ratio of two differences: 2/ln 2 times the relative "
+                       "error of the smaller one (docs/bounds.md, B11)");
     Quantity& first =
         probe.quantity("order in dt of the lattice, from dt/2, dt/4, dt/8 [1]", Source::truncation,
                        "p - 1 tends to 0 with dt: what it is from dt, dt/2, dt/4");
@@ -116,8 +114,8 @@ void sliding(Probe& probe)
     Quantity& place = placed(probe);
     Quantity& velocity =
         probe.quantity("u of each particle, against its sliding column's [m/s]", Source::rounding,
-                       "the roundings of each step, times its linearized successors with the worst signs: of "
-                       "the couplings' sums, of v + dt (F/rho + g), of the force's phase, and of the places");
+                       "the roundings of each step, carried on by the linearized later steps with the worst "
+                       "signs (docs/bounds.md, B10)");
     Quantity& pressure = probe.quantity("iterations of the pressure solve", Source::exact,
                                         "none: its tolerance is above all that sliding does to the density");
     for (const Laminar& flow : {Laminar{Section::channel, 8, 1, {1, 0}, 0.0075},

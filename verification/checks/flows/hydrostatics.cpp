@@ -17,13 +17,12 @@ void rows(Probe& probe)
     const double u = probe.roundoff();
     Quantity& pressure = probe.quantity(
         "pressure of each row [Pa]", Source::solver,
-        "the solve's largest residual times how far a pressure may be off for each unit of it, from the "
-        "rows' own matrix, + the oracle's bound and gamma_80 of the largest pressure times that matrix' "
-        "condition");
+        "the residual that the solve leaves times the pressure that a unit of it allows, the oracle's bound, "
+        "and gamma_80 of the largest pressure times the condition of the rows' matrix (docs/bounds.md, B7)");
     Quantity& velocity = probe.quantity("velocity of each row after the first step [m/s]", Source::solver,
-                                        "the solve's largest residual times how far a velocity may be off "
-                                        "for each unit of it, + the oracle's bound and "
-                                        "gamma_80 of g dt and of what the pressures make of it");
+                                        "the residual that the solve leaves times the velocity that a unit "
+                                        "of it allows, the oracle's bound, and gamma_80 of g dt and of what "
+                                        "the pressures make of it (docs/bounds.md, B7)");
     Scenario s = shipped_scenario("verify_hydrostatic");
     if (u > 1e-10) { // single precision can't reach the scenario's tolerance
         s.pressure.tolerance_per_s = 1e-3;

@@ -49,9 +49,8 @@ struct Ledger {
           pressure(probe.quantity("iterations of the pressure solve", Source::exact,
                                   "none: its tolerance is above all that sliding does to the density")),
           error(probe.quantity("L2 error against the exact flow, found - predicted [1]", Source::rounding,
-                               "triangle inequality: the error's norm differs from that of the sliding "
-                               "columns at most by the norm of what another text's roundings lead to "
-                               "(SlidingDuct::error)")),
+                               "the norm of what rounding makes of the sliding columns, by the triangle "
+                               "inequality (docs/bounds.md, B10)")),
           order(probe.quantity(
               "observed order of the L2 error, found - predicted [1]", Source::rounding,
               "that of both errors over themselves, over the logarithm of the ratio of spacings"))

@@ -50,9 +50,8 @@ void frozen(Probe& probe)
     constexpr double weak = 0x1p-60;
     Quantity& velocity = probe.quantity(
         "velocity of resting vortices after 20 steps, relative to their first crest [1]", Source::rounding,
-        "all four waves of which they consist decay by the same symbol, (1 - rate dt)^n; each step adds dt "
-        "times the error of the rate's lattice sum, for oracle and subject, and gamma_8; 8 u of the wave at "
-        "the start");
+        "their four waves decay by one rate; each step adds dt times the error of the rate, for oracle and "
+        "subject, and gamma_8; 8 u of the wave at the start (docs/bounds.md, B13)");
     const Scenario s = vortex_scenario();
     const analytic::TaylorGreen flow = flow_of(s, weak);
     const SimulationState start = vortices(probe, s, flow);

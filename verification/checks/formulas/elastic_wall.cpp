@@ -31,15 +31,13 @@ backends::WallMotion advance(const backends::Equations& equations, const Oscilla
     return state;
 }
 
-/// Rounding of n steps: each rounds u and v once on their own size and four times
-/// on the change of v, w dt times that of u; an error lives on as an oscillation
-/// of 1/cos(theta/2) < 1.01 times its size for w dt < 0.2.
+/// Rounding of n steps for w dt < 0.2 (docs/bounds.md, B17).
 double step_rounding(double size, double dt, int n)
 {
     return 1.01 * n * size * (rounding(2) + rounding(5) * wall.frequency() * dt);
 }
-constexpr const char* of_steps = "1.01 n A (gamma_2 + gamma_5 w dt) for n steps' rounding on the amplitude "
-                                 "A, which grows by less than 1/cos(theta/2) < 1.01 later on";
+constexpr const char* of_steps = "1.01 n A (gamma_2 + gamma_5 w dt) for the rounding of n steps on the "
+                                 "amplitude A (docs/bounds.md, B17)";
 
 /// Largest displacement and, over w, velocity: the rest position under F, the swing around it, and the motion
 /// driven by G well below the resonance.
@@ -211,9 +209,8 @@ void eq28_column(Probe& probe)
         "what a unit of each becomes in the steps that follow, summed; + the oracle's own error");
     Quantity& frequency = probe.quantity(
         "(theta/e - 1)/e^2 less its leading term, e = dt sqrt(k/(m + M)) [1]", Source::truncation,
-        "two-sided: the steps' angle is theta = e (1 + (1/12 + r/2 - 5 r^2/4) e^2/2 + ...), r = M/(m + M), "
-        "the next coefficient is below 1/12; the angle by three differences of u, each off by the rounding "
-        "of u, over e^3");
+        "two-sided: the next coefficient of the steps' angle is below 1/12; three differences of u, each off "
+        "by its rounding, over e^3 (docs/bounds.md, B19)");
     const double F = 1.3;
     const double M = wall.m / 2;
     const double r = M / (wall.m + M);
@@ -249,9 +246,8 @@ void eq28_oracles(Probe& probe)
                        "and dt v, of the start");
     Quantity& limit = probe.quantity(
         "closed form of the steps less that of the motion, over the swing [1]", Source::truncation,
-        "two-sided: the first step moves by dt^2 a, not half of it, as if v_0 were larger by dt a/2; (w "
-        "dt)^2/12 (1 + wt) for the frequency, which is high by w (w dt)^2/24, and the amplitude, doubled for "
-        "the rest of the series");
+        "two-sided: the first step and (w dt)^2/12 (1 + w t) for frequency and amplitude, doubled for the "
+        "rest of the series (docs/bounds.md, B18)");
     const double w = wall.frequency();
     for (const double t : {0.013, 0.71, 2.9}) {
         for (const double O : {0.0, w, w / 5}) {

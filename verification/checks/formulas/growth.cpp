@@ -203,13 +203,12 @@ void eq21_repeated(Probe& probe)
 {
     Quantity& flow = probe.quantity(
         "R after n steps against the flow by Lambert's W [m]", Source::truncation,
-        "the next term of backward error analysis, (max |f'| |ln f_n/f_0| + |f'_n - f'_0|)/12 steps; GSL's "
-        "bound of W; n gamma_2 R^2/R_0 for n steps' rounding, which grows by R/R_0 at most");
+        "the next term of backward error analysis, n gamma_2 R^2/R_0 for the rounding of n steps, and GSL's "
+        "bound of W (docs/bounds.md, B14)");
     Quantity& no_limit =
         probe.quantity("growth over a fixed time in short steps over t F dt/m [1]", Source::truncation,
-                       "two-sided: 1/(1 + x) for damping, x = impedance dt/m, which falls with dt, for a "
-                       "step remembers no velocity; less what the fibers take, up to s = stiffness dt^2/(m "
-                       "R), half of it; n u R of n steps' rounding");
+                       "two-sided: 1/(1 + x), x = impedance dt/m, less what the fibers take; n u R for the "
+                       "rounding of n steps (docs/bounds.md, B14)");
     const auto grow = [&](double F, double dt, int n) {
         double R = 0.3;
         for (int k = 0; k < n; ++k) {

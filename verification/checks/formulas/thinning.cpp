@@ -65,11 +65,12 @@ void eq22_product(Probe& probe)
                        "gamma_5: a step rounds twice on h and four times on a change below h/n");
     Quantity& power_law =
         probe.quantity("h over the power law of (9), less 1 [1]", Source::truncation,
-                       "two-sided: Euler-Maclaurin to the third order, of which x/(1 - x) bounds the rest, x "
-                       "= D/R_0; n gamma_2 of the steps, gamma_10 of the power law");
+                       "two-sided: Euler-Maclaurin's expansion, whose rest is known; n gamma_2 of the steps, "
+                       "gamma_10 of the power law (docs/bounds.md, B15)");
     Quantity& oracles = probe.quantity(
         "Pochhammer's symbols over the power law, less 1 [1]", Source::truncation,
-        "GSL's bound; x/(1 - x) of Euler-Maclaurin's third order, x = D/R_0; gamma_10 of the power law");
+        "GSL's bound; the rest of Euler-Maclaurin's expansion; gamma_10 of the power law (docs/bounds.md, "
+        "B15)");
     for (const double sigma : {0.2, 0.43, 0.9}) {
         for (const int n : {10, 40, 160, 640}) {
             const std::string where = at({{"sigma", sigma}, {"n", double(n)}});
@@ -135,12 +136,12 @@ void eq23_product(Probe& probe)
         "4 u of the exponent n ln(1 - alpha D) and 2 u of the exponential; n gamma_3 of the steps");
     Quantity& exponential =
         probe.quantity("h over h_0 exp(-alpha n D), less 1 [1]", Source::truncation,
-                       "two-sided: expm1(-n (x^2/2 + r)), x = alpha D, where r lies between x^3/3 and x^3/(3 "
-                       "(1 - x)): half of that; n gamma_3 of the steps, gamma_6 of the exponential");
+                       "two-sided: half of the range of the logarithm's remainder; n gamma_3 of the steps, "
+                       "gamma_6 of the exponential (docs/bounds.md, B16)");
     Quantity& oracles =
         probe.quantity("power over h_0 exp(-alpha n D), less 1 [1]", Source::truncation,
-                       "n times half of the range of r, which lies between x^3/3 and x^3/(3 (1 - x)), x = "
-                       "alpha D; the power's own bound, gamma_6 of the exponential");
+                       "half of the range of the logarithm's remainder; the power's own bound, gamma_6 of "
+                       "the exponential (docs/bounds.md, B16)");
     for (const double alpha : {1.1, 0.7}) {
         for (const int n : {1, 100, 1000, 4000}) {
             const std::string where = at({{"alpha", alpha}, {"n", double(n)}});

@@ -253,9 +253,8 @@ void convergence(Probe& probe)
 {
     Quantity& limit =
         probe.quantity("square of the zero of the steady profile, lattice -> wall [a^2]", Source::truncation,
-                       "away from the walls the rows' flow is the parabola g/(2 nu_eff) (C - y^2), up to "
-                       "wall_layer_ratio^rows; a wall adds to C what is linear and what is quadratic in dx, "
-                       "so that three resolutions give the limit a^2; their errors times the weights");
+                       "three resolutions give the limit of the rows' parabola: their errors times the "
+                       "weights, and wall_layer_ratio^rows (docs/bounds.md, B21)");
     for (const double ratio : {1.0, 1.3, 2.0}) {
         const std::array<int, 3> rows{32, 64, 128};
         std::array<double, 3> C{};

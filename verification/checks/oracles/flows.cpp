@@ -88,8 +88,8 @@ void flow_from_rest(Probe& probe)
 {
     Quantity& velocity =
         probe.quantity("u(r, t), modes - Laplace transform [m/s]", Source::truncation,
-                       "rounding of the modes' sum; the contour integral's change by 8 points more, "
-                       "which at least halves with each, and the rounding of its terms");
+                       "rounding of the modes' sum; the contour integral's change by 8 points more, and the "
+                       "rounding of its terms (docs/bounds.md, B20)");
     Quantity& wall =
         probe.quantity("u at the wall [m/s]", Source::rounding, "rounding of the modes' sum: it is 0 there");
     for (const Section section : sections) {
@@ -113,8 +113,8 @@ void rest_at_the_start(Probe& probe)
 {
     Quantity& rest =
         probe.quantity("u, Q and wall shear at t = 0, in units of the steady flow's [1]", Source::truncation,
-                       "terms left out, sum |T_n| <= g (a^2/(nu pi^2)) / (N - 1/2), or "
-                       "g omega (a^2/(nu pi^2))^2 / (3 (N - 1/2)^3), with |phi_n b_n| <= 1.7");
+                       "the modes that are left out, g (a^2/(nu pi^2)) / (N - 1/2) steady, g omega (a^2/(nu "
+                       "pi^2))^2 / (3 (N - 1/2)^3) pulsating (docs/bounds.md, B20)");
     for (const Section section : sections) {
         const Duct duct{section, a, nu};
         const auto compare = [&](const Estimate& value, const Estimate& unit, const std::string& where) {

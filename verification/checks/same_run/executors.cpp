@@ -141,8 +141,8 @@ void free_run(Probe& probe)
     settings.members = 6;
     Findings findings(
         probe, Source::statistics,
-        "Student's prediction interval of an ensemble of the reference, disturbed by the candidate's own "
-        "rounding: a correct candidate fails once in 1,000 runs");
+        "Student's prediction interval of an ensemble of the reference: a correct candidate fails once in "
+        "1,000 runs (docs/bounds.md, B30)");
     findings.add(comparison::compare_free(s, *candidate, probe.subject().choice.precision, settings, go_on),
                  "quick");
 }

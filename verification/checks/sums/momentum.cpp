@@ -65,9 +65,9 @@ void pressure(Probe& probe)
     s.pressure.tolerance_per_s = 1e-3;
     s.pressure.density_correction = 0.5;
     Quantity& momentum = probe.quantity("sum of the velocities' changes by the solve [m/s]", Source::rounding,
-                                        "gamma_2n, n = 64 particles, of the sum of |terms|, dt 2 p m/rho_0^2 "
-                                        "times the steepest slope for each pair, and gamma_2 of the "
-                                        "velocities; exactly the pairs cancel");
+                                        "the pairs cancel exactly, only the additions round: gamma_2n of the "
+                                        "sum of |terms|, n = 64 particles, and gamma_2 of the velocities "
+                                        "(docs/bounds.md, B3)");
     Quantity& angular =
         probe.quantity("sum of places x changes [m^2/s]", Source::rounding,
                        "the same times the drop's reach: the forces of (3) point along the pairs");
@@ -98,9 +98,8 @@ void viscosity(Probe& probe)
     s.pressure.stiffness_m2_s2 = 0;
     Quantity& momentum = probe.quantity(
         "sum of the velocities' changes by friction [m/s]", Source::rounding,
-        "gamma_2n, n = 64 particles, of the sum of |terms|, dt mu m/rho^2 lap W(0) times the speeds of both "
-        "for each pair, and gamma_2 of the velocities; exactly the pairs cancel, since m_i/rho_i m_j/rho_j "
-        "is that of j and i");
+        "the pairs cancel exactly, only the additions round: gamma_2n of the sum of |terms|, n = 64 "
+        "particles, and gamma_2 of the velocities (docs/bounds.md, B3)");
     const Box box = drop(probe, s, 0.5);
     const auto flow = probe.simulate(s, box.state());
     flow->advance();

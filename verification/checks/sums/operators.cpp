@@ -45,9 +45,8 @@ void lattice_density(Probe& probe)
 {
     Quantity& rho =
         probe.quantity("density [kg/m^3]", Source::rounding,
-                       "(n + 40 + 16) u of the lattice sum: n additions, 40 u of each term's kernel and "
-                       "mass, 16 u of W(0) where 2 - q cancels; once for the oracle in double, once for the "
-                       "subject in its precision");
+                       "(n + 40 + 16) u of the sum of |terms| over n neighbors, for the oracle and for the "
+                       "subject (docs/bounds.md, B1)");
     for (const KernelName kernel : kernels) {
         for (const double ratio : ratios) {
             const Box box(probe, box_scenario(kernel, ratio));
@@ -65,8 +64,8 @@ void lattice_density(Probe& probe)
 void cloud_density(Probe& probe)
 {
     Quantity& rho = probe.quantity("density [kg/m^3]", Source::rounding,
-                                   "(n + 32 + 8 L/h) u m W(0) per neighbor: n additions, 32 u of a term, "
-                                   "positions of the box L rounded; for the oracle and the subject");
+                                   "(n + 32 + 8 L/h) u m W(0) for each of n neighbors in a box of edge L, "
+                                   "for the oracle and for the subject (docs/bounds.md, B2)");
     Quantity& record = probe.quantity(
         "recorded density errors: largest, smallest, mean excess [1]", Source::rounding,
         "the density's bound over rho_0, the quotient's gamma_2 and, of the mean, gamma_N of its additions");
@@ -104,9 +103,8 @@ void cloud_frame(Probe& probe)
 {
     const double u = probe.roundoff();
     Quantity& velocity = probe.quantity("velocity after one step [m/s]", Source::rounding,
-                                        "dt/rho times the bounds of the sums (6) and (7), (n + 32 + 8 L/h) u "
-                                        "of the sum of |terms|, + gamma_8 of |v| + dt |a| for (1), (15) and "
-                                        "two additions");
+                                        "dt/rho times the bounds of the sums (6) and (7), and gamma_8 of |v| "
+                                        "+ dt |a| (docs/bounds.md, B2)");
     Quantity& position =
         probe.quantity("position after the step [m]", Source::rounding,
                        "gamma_3 L: the way is added to a place in the box and wrapped into it");
@@ -190,7 +188,8 @@ void velocity_waves(Probe& probe)
     const double u = probe.roundoff();
     Quantity& velocity = probe.quantity("velocity after one step [m/s]", Source::rounding,
                                         "dt times the error of the symbol -mu m/rho^2 L(k), (n + 40 + 88 + "
-                                        "16) u of the sum of |terms|, for oracle and subject, + gamma_8 |v|");
+                                        "16) u of the sum of |terms|, for oracle and subject, and gamma_8 "
+                                        "|v| (docs/bounds.md, B1)");
     Quantity& divergence = probe.quantity("largest |Drho/Dt|/rho_0 [1/s]", Source::rounding,
                                           "the error of the symbol m v.G(k), as above, for oracle and "
                                           "subject, + gamma_8 of its terms' sum, since the "

@@ -90,11 +90,9 @@ Rounding rounding_of(const Probe& probe, const Box& box, const analytic::Iterati
     return by;
 }
 
-constexpr const char* pressure_bound = "an iteration rounds two sums over N = 26 neighbors of terms up to 2 "
-                                       "p, p <= 1.5 times the start: omega N gamma_2(N + 40) "
-                                       "2 p, and the residual m v.G; error_gain says what that becomes under "
-                                       "g(k) and theta, and no particle has more than "
-                                       "sqrt(particles) times the quadratic mean; + the oracle's own error";
+constexpr const char* pressure_bound = "the rounding of one iteration times what later iterations make of "
+                                       "it, for a single particle sqrt(particles) times that; + the oracle's "
+                                       "own error (docs/bounds.md, B5)";
 
 void compare_pressures(Probe& probe, Quantity& pressure, Quantity& decided, const Scenario& s,
                        const std::vector<Push>& pushes, const std::string& where)
@@ -188,9 +186,8 @@ void iteration_count(Probe& probe)
                                      "more than a tenth: far from rounding");
     Quantity& residual = probe.quantity(
         "mean residual where it stops [1/s]", Source::rounding,
-        "a mean is at most the quadratic mean: twice that of the pressures' rounding after the iterations, "
-        "since an iteration changes no wave by more than that, + the last evaluation's own, over omega "
-        "rho_0^2 alpha/dt");
+        "twice the rounding of the pressures after the iterations, and that of the last evaluation, over "
+        "omega rho_0^2 alpha/dt (docs/bounds.md, B6)");
     const Scenario s = solve_scenario(KernelName::cubic_spline);
     const std::vector<Push> pushes{{{1, 0, 0}, {0.25, 0, 0}}};
     Box box(probe, s);
@@ -242,9 +239,8 @@ void iteration_count(Probe& probe)
 void relaxation_limit(Probe& probe)
 {
     Quantity& refused = probe.quantity("refusals", Source::truncation,
-                                       "the subject's search is on a grid that misses the maximum by up to "
-                                       "0.15 %, which it covers by 0.2 %: just above "
-                                       "the oracle's limit it must refuse, 0.2 % below it must not");
+                                       "the subject's limit is 0.05 to 0.2 % below the exact one, which the "
+                                       "test leaves room for (docs/bounds.md, B8)");
     for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
         for (const double ratio : {1.0, 1.2, 1.3}) {
             Scenario s = box_scenario(kernel, ratio);
@@ -452,14 +448,14 @@ struct TwoParticles {
     }
 };
 
-/// Pressures that the step alone takes below 0 in the first iteration, and those that the momentum does in the
-/// fourth.
+/// Pressures that the step alone takes below 0 in the first iteration, and those that the momentum takes there
+/// in the fourth.
 void two_bodies(Probe& probe)
 {
     Quantity& pressure = probe.quantity(
         "pressure of two particles [Pa]", Source::rounding,
-        "an iteration adds two changes of at most 2 p, with 40 roundings of two slopes each; error_gain says what "
-        "that becomes under |g| = |1 - 2 omega| and theta; + the oracle's own error");
+        "the rounding of two changes of at most 2 p, times what later iterations make of it; + the oracle's "
+        "own error (docs/bounds.md, B5)");
     Quantity& floor = probe.quantity("pressures that end at 0", Source::exact,
                                      "a claim: each kernel's once, else the check would not see the floor");
     constexpr double start = 1000;       // [Pa]
