@@ -7,6 +7,7 @@ Reads common/equations.hpp and looks for
   - `Eq. (N)` in a doc comment under analytic/;
   - a check `eqNN_...` of the suite under verification/checks/, of a formula, a sum or a flow of a backend: an
     oracle_check, which compares oracles with one another, doesn't count, and neither does a test.
+The comment at the start of a file of checks says which equations it holds: those of its checks' names, (17)-(21) or EOS.
 """
 import re
 
@@ -17,6 +18,8 @@ DOCUMENTED = re.compile(r"((?:^[ \t]*///.*\n)+)([^;{]*)", re.MULTILINE)
 HEAD = re.compile(r"\s*///\s*Eq\. \((\w+)\)")
 MENTION = re.compile(r"^\s*///.*", re.MULTILINE)
 CHECK = re.compile(r'\b(?:formula|sum|flow)_check\(\s*"eq([^\W_]+)_')
+NAMED = re.compile(r'\b\w+_check\(\s*"eq([^\W_]+)_')
+SAID = re.compile(r"\((\d+)\)(?:-\((\d+)\))?")
 
 
 def text_of(root, room):
@@ -30,6 +33,13 @@ def documented_functions(text):
         name = re.search(r"(\w+)\s*\(", declaration)
         if head and name:
             yield head.group(1), name.group(1)
+
+
+def unsaid_equations(text):
+    """Equations that checks of a file are named by and that the comment at its start leaves out."""
+    head = re.match(r"(?://.*\n)*", text).group().replace("equation of state", "EOS")
+    said = {n for first, last in SAID.findall(head) for n in range(int(first), int(last or first) + 1)}
+    return [name for name in NAMED.findall(text) if not (name in head if name == "EOS" else int(name) in said)]
 
 
 def check(root):
@@ -59,6 +69,9 @@ def check(root):
             findings.append(f"{where}: no oracle in analytic/ says Eq. ({number})")
         if (number if number == "EOS" else f"{int(number):02}") not in checks:
             findings.append(f"{where}: no check eq{number:>02}_... of a backend in verification/checks/")
+    for file in guard.sources(root, "verification/checks"):
+        for name in unsaid_equations(file.read_text(encoding="utf-8")):
+            findings.append(f"{file.relative_to(root)}: holds eq{name}_..., which its first comment doesn't say")
     return findings
 
 
@@ -73,6 +86,8 @@ FAULTS = [
     ("verification/checks", 'sum_check("eq02_', 'oracle_check("eq02_', "Eq. (2)"),
     ("verification/checks", '"eq23_', '"thinning_', "Eq. (23)"),
     ("verification/checks", '"eqEOS_', '"state_', "Eq. (EOS)"),
+    ("verification/checks", "how the wall thins while the sac grows (22)", "how the wall thins", "holds eq22_"),
+    ("verification/checks", "(17)-(21)", "(17)-(20)", "holds eq21_"),
     ("common/equations.hpp", '{"EOS", ', '{"29", ', "EOS"),
 ]
 

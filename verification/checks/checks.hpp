@@ -30,49 +30,56 @@ Check same_run_check(std::string_view id, Names equations, std::string_view titl
 Check oracle_check(std::string_view id, Level level, Names equations, std::string_view title, Names oracles,
                    Run run, bool quick = true);
 
-// The oracles among themselves
-std::vector<Check> oracle_flow_checks();
-std::vector<Check> oracle_duct_checks();
-std::vector<Check> oracle_lattice_checks();
-std::vector<Check> oracle_pair_checks();
-std::vector<Check> oracle_row_checks();
+// X_checks() is in the file X.cpp of the level's folder, oracle_X_checks() in oracles/X.cpp.
 
-// L0
-std::vector<Check> bifurcation_checks();
-std::vector<Check> collision_checks();
-std::vector<Check> elastic_wall_checks();
-std::vector<Check> fluid_checks();
-std::vector<Check> growth_checks();
-std::vector<Check> inlet_checks();
-std::vector<Check> kernel_function_checks();
-std::vector<Check> outlet_checks();
-std::vector<Check> rupture_checks();
-std::vector<Check> thinning_checks();
-std::vector<Check> vessel_shape_checks();
-std::vector<Check> wall_law_checks();
-// L1
-std::vector<Check> blood_flow_mass_checks();
-std::vector<Check> operator_checks();
-std::vector<Check> momentum_checks();
-std::vector<Check> neighborhood_checks();
-std::vector<Check> wall_cloud_checks();
-std::vector<Check> pressure_solve_checks();
-// L2
-std::vector<Check> box_flow_checks();
-std::vector<Check> containment_checks();
-std::vector<Check> duct_checks();
-std::vector<Check> duct_flow_checks();
-std::vector<Check> hydrostatics_checks();
-std::vector<Check> open_end_checks();
-std::vector<Check> wall_history_checks();
-// L3
-std::vector<Check> laminar_flow_checks();
-std::vector<Check> pipe_checks();
-std::vector<Check> taylor_green_checks();
-// L4
+// formulas, L0
+std::vector<Check> kernel_function_checks();       // (4), (6), (7)
+std::vector<Check> blood_flow_checks();            // (1), (4), (15), EOS
+std::vector<Check> rupture_wall_law_checks();      // (8)-(13)
+std::vector<Check> rupture_checks();               // (13), (14), (16)
+std::vector<Check> growth_checks();                // (17)-(21)
+std::vector<Check> growth_thinning_checks();       // (22), (23)
+std::vector<Check> bifurcation_checks();           // (24)
+std::vector<Check> bifurcation_shape_checks();     // (24), Table 2
+std::vector<Check> boundary_inlet_checks();        // (25)
+std::vector<Check> boundary_outlet_checks();       // (26), (27)
+std::vector<Check> boundary_elastic_wall_checks(); // (28)
+std::vector<Check> boundary_collision_checks();    // Fig. 1
+
+// sums, L1
+std::vector<Check> blood_flow_sums_checks();     // (1), (4)-(7), (15), EOS
+std::vector<Check> blood_flow_mass_checks();     // (2)
+std::vector<Check> blood_flow_momentum_checks(); // (3), (7)
+std::vector<Check> incompressible_checks();      // (3)
+std::vector<Check> neighbors_checks();           // (5), (7)
+std::vector<Check> boundary_ghosts_checks();     // (27)
+
+// flows, L2
+std::vector<Check> blood_flow_steps_checks();            // (1), (7), (15), EOS
+std::vector<Check> incompressible_hydrostatics_checks(); // (3)
+std::vector<Check> growth_history_checks();              // (13), (17)-(23), (28)
+std::vector<Check> impact_checks();                      // (14)-(16)
+std::vector<Check> controller_checks();                  // section 3.4
+std::vector<Check> controller_ledger_checks();           // section 3.4, (25)
+std::vector<Check> boundary_duct_checks();               // (25), (26)
+std::vector<Check> laminar_ducts_checks();               // (27)
+std::vector<Check> containment_checks();                 // Fig. 1
+
+// flows, L3
+std::vector<Check> laminar_flow_checks(); // (27)
+std::vector<Check> laminar_pipe_checks(); // (25)-(27)
+std::vector<Check> taylor_green_checks(); // (3), (7)
+
+// same_run, L4 and L5
 std::vector<Check> metamorphic_checks();
 std::vector<Check> same_run_checks();
-// L5
-std::vector<Check> executor_checks();
+std::vector<Check> executors_checks();
+
+// oracles, L0 to L3
+std::vector<Check> oracle_lattice_checks(); // (3)-(7)
+std::vector<Check> oracle_pairs_checks();   // (2), (3), (5)-(7)
+std::vector<Check> oracle_rows_checks();    // (2), (3), (5), (7)
+std::vector<Check> oracle_flows_checks();   // (1), (27)
+std::vector<Check> oracle_ducts_checks();   // (7), (15), (27)
 
 } // namespace aneurysm::checks

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fig. 1 and the breach: what holds the blood, and where it gets out.
+// Fig. 1 and the breach: what holds the blood, a wall that (21) and (28) move, and where the blood gets out.
 #include "common/scenario/shipped.hpp"
 #include "common/vessel/geometry.hpp"
 #include "verification/checks/checks.hpp"

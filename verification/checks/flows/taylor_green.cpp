@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vortices of Taylor and Green in the periodic box.
+// The vortices of Taylor and Green in the periodic box: (1), (3), (7) and (15) together.
 #include "analytic/taylor_green.hpp"
 
 #include "common/scenario/shipped.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section 3.2: when the wall ruptures, by the criterion F_b > P_c; impulse (14) and impact (16).
+// Section 3.2: when the wall ruptures, by the criterion F_b > P_c (13); impulse (14) and impact (16).
 #include "analytic/rupture.hpp"
 #include "analytic/relations.hpp"
 #include "verification/checks/arguments.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The oracles of ducts on the lattice against one another and against the exact flows.
+// The oracles of ducts on the lattice, (5), (7), (15) and (27), against one another and against the exact flows.
 #include "analytic/lattice/lattice_duct_steps.hpp"
 #include "analytic/lattice/lattice_rows.hpp"
 #include "analytic/lattice/pair_sums.hpp"
@@ -284,7 +284,7 @@ void convergence(Probe& probe)
 
 } // namespace
 
-std::vector<Check> oracle_duct_checks()
+std::vector<Check> oracle_ducts_checks()
 {
     return {
         oracle_check("oracle_duct_symbol", Level::lattice, {"7", "15"},

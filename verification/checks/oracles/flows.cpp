@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The oracles of laminar flow against one another: no flow of a backend can be judged by them otherwise.
+// The oracles of laminar flow, (1) with (27), against one another: no flow of a backend can be judged by them
+// otherwise.
 #include "analytic/bessel.hpp"
 #include "analytic/laminar_flow.hpp"
 #include "analytic/taylor_green.hpp"
@@ -238,7 +239,7 @@ void vortices(Probe& probe)
 
 } // namespace
 
-std::vector<Check> oracle_flow_checks()
+std::vector<Check> oracle_flows_checks()
 {
     return {
         oracle_check("oracle_bessel", Level::scalar, {"1", "27"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The oracles of section 3.1 on the lattice against one another: direct sums, Poisson's formula with the
+// The oracles of section 3.1 on the lattice, (3)-(7), against one another: direct sums, Poisson's formula with the
 // kernels' transforms, the transforms against quadrature, and numbers recorded from other programs.
 #include "analytic/lattice/lattice.hpp"
 #include "analytic/incompressible.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The oracles of section 3.1 for a cloud of particles against sums with 50 digits.
+// The oracles of section 3.1 for a cloud of particles, (2), (3), (5)-(7), against sums with 50 digits.
 #include "analytic/exact/pairs.hpp"
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
@@ -96,7 +96,7 @@ void pairs(Probe& probe)
 
 } // namespace
 
-std::vector<Check> oracle_pair_checks()
+std::vector<Check> oracle_pairs_checks()
 {
     return {oracle_check("oracle_pairs", Level::lattice, {"2", "3", "5", "6", "7"},
                          "the sums over all pairs of a cloud are those of 50 digits, within their own bounds",

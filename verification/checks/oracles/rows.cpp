@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The oracles of rows of the lattice against lattice sums and against sums over all pairs.
+// The oracles of rows of the lattice, (2), (3), (5) and (7), against lattice sums and against sums over all pairs.
 #include "analytic/kernel_function.hpp"
 #include "analytic/lattice/lattice_rows.hpp"
 #include "analytic/lattice/pair_sums.hpp"
@@ -124,7 +124,7 @@ void pressed_rows(Probe& probe)
 
 } // namespace
 
-std::vector<Check> oracle_row_checks()
+std::vector<Check> oracle_rows_checks()
 {
     return {
         oracle_check("oracle_sliding_rows", Level::lattice, {"5", "7"},

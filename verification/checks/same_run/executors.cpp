@@ -149,7 +149,7 @@ void free_run(Probe& probe)
 
 } // namespace
 
-std::vector<Check> executor_checks()
+std::vector<Check> executors_checks()
 {
     const std::vector<std::string_view> all{"1",  "2",  "3",  "5",  "6",  "7",  "13", "15", "16",
                                             "21", "22", "23", "24", "25", "26", "27", "28", "EOS"};

@@ -266,7 +266,7 @@ void eq13_largest_pressure(Probe& probe)
 
 } // namespace
 
-std::vector<Check> wall_law_checks()
+std::vector<Check> rupture_wall_law_checks()
 {
     return {
         formula_check("eq08_balance", {"8"}, "the wall's stress holds the pressure on half a sphere",

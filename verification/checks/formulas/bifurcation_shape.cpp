@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section 3.4 and Table 2: the artery's and the sac's measures, as a ruler would find them on the surface
-// that holds the blood.
+// Section 3.4, (24), and Table 2: the artery's and the sac's measures, as a ruler would find them on the surface that
+// holds the blood.
 #include "common/scenario/shipped.hpp"
 #include "common/vessel/geometry.hpp"
 #include "verification/checks/arguments.hpp"
@@ -131,7 +131,7 @@ void sacs(Probe& probe)
 
 } // namespace
 
-std::vector<Check> vessel_shape_checks()
+std::vector<Check> bifurcation_shape_checks()
 {
     return {oracle_check("eq24_tubes", Level::scalar, {"24"},
                          "the tubes have their radii, angles and lengths",

@@ -495,7 +495,7 @@ void two_bodies(Probe& probe)
 
 } // namespace
 
-std::vector<Check> pressure_solve_checks()
+std::vector<Check> incompressible_checks()
 {
     return {
         sum_check("eq03_waves", {"3"}, "the iteration changes every wave of a lattice by its own factor",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flows along channel and tube whose discrete answer is known: too slow to move anything, and as columns that
-// slide past one another.
+// Flows along channel and tube, (1), (7), (15) and (27), whose discrete answer is known: too slow to move anything, and
+// as columns that slide past one another.
 #include "analytic/lattice/lattice_duct_steps.hpp"
 #include "verification/checks/checks.hpp"
 #include "verification/checks/flows/laminar.hpp"
@@ -144,7 +144,7 @@ void sliding(Probe& probe)
 
 } // namespace
 
-std::vector<Check> duct_flow_checks()
+std::vector<Check> laminar_ducts_checks()
 {
     const Names flow{"27", "1", "5", "7", "15"};
     return {

@@ -234,7 +234,7 @@ void velocity_waves(Probe& probe)
 
 } // namespace
 
-std::vector<Check> operator_checks()
+std::vector<Check> blood_flow_sums_checks()
 {
     return {
         sum_check("eq05_lattice", {"5", "4"}, "the density of a lattice is its lattice sum",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Disturbed blood between two plates: what the wall's ghosts add
-// to every sum of section 3.1, against all pairs.
+// Disturbed blood between two plates: what the ghosts of a wall at rest, (27), add to every sum of section 3.1,
+// against all pairs.
 #include "verification/checks/box.hpp"
 #include "verification/checks/checks.hpp"
 #include "verification/checks/sums/plates.hpp"
@@ -127,7 +127,7 @@ void by_solve(Probe& probe)
 
 } // namespace
 
-std::vector<Check> wall_cloud_checks()
+std::vector<Check> boundary_ghosts_checks()
 {
     return {sum_check("eq27_cloud_frame", {"27", "2", "5", "6", "7", "EOS"},
                       "disturbed blood between plates feels the ghosts of both in every sum",

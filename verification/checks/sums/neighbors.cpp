@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is whose neighbor. One particle of a disturbed box at rest is set in motion: after a step friction has
-// moved those within its support, and no others.
+// Who is whose neighbor in the sums (5) and (7). One particle of a disturbed box at rest is set in motion: after a
+// step friction has moved those within its support, and no others.
 #include "verification/checks/box.hpp"
 #include "verification/checks/checks.hpp"
 
@@ -70,7 +70,7 @@ void neighbors(Probe& probe)
 
 } // namespace
 
-std::vector<Check> neighborhood_checks()
+std::vector<Check> neighbors_checks()
 {
     return {sum_check("eq05_neighbors", {"5", "7"},
                       "each particle feels those within the support, through the seams, too, and no others",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A round pipe from an inlet to an outlet, with a wall that holds the blood: how much of the inflow arrives.
+// A round pipe from an inlet (25) to an outlet (26), with a wall that holds the blood (27): how much of the inflow
+// arrives.
 #include "common/scenario/shipped.hpp"
 #include "verification/checks/checks.hpp"
 
@@ -97,7 +98,7 @@ void pipe_loss(Probe& probe)
 
 } // namespace
 
-std::vector<Check> pipe_checks()
+std::vector<Check> laminar_pipe_checks()
 {
     return {
         limit_check("pipe_velocity_loss", {"25", "26", "27"},

@@ -134,7 +134,7 @@ void eq27_no_slip(Probe& probe)
 
 } // namespace
 
-std::vector<Check> outlet_checks()
+std::vector<Check> boundary_outlet_checks()
 {
     return {
         formula_check("eq26_force", {"26"},

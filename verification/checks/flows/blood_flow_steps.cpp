@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Flows in time whose discrete answer is known: shear waves and sound in the periodic box, a force between
-// slipping plates, and blood at rest between two plates.
+// Flows in time whose discrete answer is known: shear waves, (7) and (15), and sound, by the equation of state and (6),
+// in the periodic box, and a force (1) between slipping plates.
 #include "analytic/incompressible.hpp"
 #include "common/scenario/shipped.hpp"
 #include "common/vessel/body_force.hpp"
@@ -145,7 +145,7 @@ void slip(Probe& probe)
 
 } // namespace
 
-std::vector<Check> box_flow_checks()
+std::vector<Check> blood_flow_steps_checks()
 {
     return {
         flow_check("eq07_shear_wave", {"7", "15", "1"},

@@ -164,7 +164,7 @@ void eq23_product(Probe& probe)
 
 } // namespace
 
-std::vector<Check> thinning_checks()
+std::vector<Check> growth_thinning_checks()
 {
     return {
         formula_check("eq22_step", {"22"}, "a step thins the wall by Poisson's ratio of the radius' growth",

@@ -63,7 +63,7 @@ void fig1_collision(Probe& probe)
 
 } // namespace
 
-std::vector<Check> collision_checks()
+std::vector<Check> boundary_collision_checks()
 {
     return {
         formula_check(

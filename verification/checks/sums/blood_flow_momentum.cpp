@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What particles do to one another gives nothing to all of them: momentum and angular momentum of a drop that
-// hangs in the middle of the periodic box, touching nothing.
+// What particles do to one another, by pressure (3) and friction (7), gives nothing to all of them: momentum and
+// angular momentum of a drop that hangs in the middle of the periodic box, touching nothing.
 #include "analytic/kernel_function.hpp"
 #include "verification/checks/box.hpp"
 #include "verification/checks/checks.hpp"
@@ -115,7 +115,7 @@ void viscosity(Probe& probe)
 
 } // namespace
 
-std::vector<Check> momentum_checks()
+std::vector<Check> blood_flow_momentum_checks()
 {
     return {
         sum_check("eq03_momentum", {"3"},

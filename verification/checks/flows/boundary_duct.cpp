@@ -172,7 +172,7 @@ void outlet(Probe& probe)
 
 } // namespace
 
-std::vector<Check> duct_checks()
+std::vector<Check> boundary_duct_checks()
 {
     return {flow_check("eq26_outlet", {"26"},
                        "an outlet presses on the blood before it with p_const, and is pressed back by it",

@@ -292,7 +292,7 @@ void eq28_oracles(Probe& probe)
 
 } // namespace
 
-std::vector<Check> elastic_wall_checks()
+std::vector<Check> boundary_elastic_wall_checks()
 {
     return {
         formula_check(

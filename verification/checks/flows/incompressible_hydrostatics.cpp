@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blood between two plates under its own weight, on the lattice: the solve of (3) for rows.
+// Blood between two plates under its own weight (1), on the lattice: the solve of (3) for rows.
 #include "analytic/lattice/lattice_rows.hpp"
 #include "common/scenario/shipped.hpp"
 #include "verification/checks/checks.hpp"
@@ -71,7 +71,7 @@ void rows(Probe& probe)
 
 } // namespace
 
-std::vector<Check> hydrostatics_checks()
+std::vector<Check> incompressible_hydrostatics_checks()
 {
     return {flow_check("eq03_hydrostatics", {"3", "1", "15"},
                        "blood between two plates finds the pressures that its rows need against their weight",

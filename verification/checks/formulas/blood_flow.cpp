@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Section 3.1 at one particle or point: (1), (4), the equation of state and (15).
-#include "analytic/beltrami_flow.hpp"
 #include "analytic/blood_flow.hpp"
+#include "analytic/beltrami_flow.hpp"
 #include "analytic/exact/kernel.hpp"
 #include "analytic/lattice/pair_sums.hpp"
 #include "analytic/relations.hpp"
@@ -206,7 +206,7 @@ void eqEOS_pressure(Probe& probe)
 
 } // namespace
 
-std::vector<Check> fluid_checks()
+std::vector<Check> blood_flow_checks()
 {
     return {
         formula_check(

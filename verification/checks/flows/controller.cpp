@@ -418,7 +418,7 @@ void open_ends(Probe& probe)
 
 } // namespace
 
-std::vector<Check> open_end_checks()
+std::vector<Check> controller_checks()
 {
     return {flow_check("sec34_open_ends", {"25", "26"},
                        "an open end pushes, holds, takes in and lets out each particle as section 3.4 says",

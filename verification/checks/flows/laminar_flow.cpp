@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Poiseuille's and Womersley's flows at several resolutions, in motion: how far they are from the exact ones,
-// at which order that falls, and what of it the lattice predicts.
+// Poiseuille's and Womersley's flows along walls at rest, (1), (7), (15) and (27), at several resolutions, in motion: how
+// far they are from the exact ones, at which order that falls, and what of it the lattice predicts.
 #include "analytic/lattice/lattice_duct_steps.hpp"
 #include "common/scenario/shipped.hpp"
 #include "verification/checks/checks.hpp"

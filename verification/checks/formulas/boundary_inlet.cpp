@@ -198,7 +198,7 @@ void eq25_table_seam(Probe& probe)
 
 } // namespace
 
-std::vector<Check> inlet_checks()
+std::vector<Check> boundary_inlet_checks()
 {
     return {
         formula_check("eq25_waveforms", {"25"},
