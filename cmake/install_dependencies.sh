@@ -15,7 +15,13 @@ if ! command -v apt-get >/dev/null; then
     exit 1
 fi
 as_root=
-[ "$(id -u)" -eq 0 ] || as_root=sudo
+if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+        echo "install_dependencies.sh: no sudo here; ask an administrator for: apt-get install$missing" >&2
+        exit 1
+    fi
+    as_root=sudo
+fi
 echo "Installing:$missing"
 $as_root apt-get update -qq
 # shellcheck disable=SC2086 # one word a package
