@@ -2,8 +2,6 @@
 // Section 3.4: the radii of a branching artery, (24).
 #pragma once
 
-#include "common/fault.hpp"
-
 namespace aneurysm::device
 {
 
@@ -12,7 +10,7 @@ namespace aneurysm::device
 ///     r_1 = r_2 = r_0 / 2^(1/3)                                                               [m]
 constexpr double daughter_radius(double r_0)
 {
-    return fault(eq24_radius, r_0) / fault(eq24_root, 1.25992104989487316);
+    return r_0 / 1.25992104989487316;
 }
 
 } // namespace aneurysm::device

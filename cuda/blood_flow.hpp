@@ -3,7 +3,6 @@
 // state. Sums run over the lists of sorted particle i, by eight lanes; the particle itself is not in them.
 #pragma once
 
-#include "common/fault.hpp"
 #include "cuda/fields.hpp"
 #include "cuda/periodic.hpp"
 
@@ -76,8 +75,7 @@ template <class Real>
 ANEURYSM_HD Vec3T<Real> momentum_force(Real rho, const Vec3T<Real>& g, const Vec3T<Real>& F_viscosity,
                                        const Vec3T<Real>& F_pressure)
 {
-    return fault(eq01_gravity, rho * g) + fault(eq01_viscosity, F_viscosity) +
-           fault(eq01_pressure, F_pressure);
+    return rho * g + F_viscosity + F_pressure;
 }
 
 /// Eq. (2)  Drho/Dt = -rho div v, as the time derivative of (5); the ghosts' part is known before the solve:
@@ -92,10 +90,10 @@ ANEURYSM_INLINE Real density_rate(const Fields<Real>& f, const Row<Real>* v, Ind
     for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
         const Lanes<Index> j = neighbors(f.free, b, lane);
         const Vec3T<Lanes<Real>> v_ij = v_i - gather_rows(v, j).vector();
-        rate += fault(eq02_term, dot(fault(eq02_velocity, v_ij), gradient<kept>(f, i, b, j, lane)));
+        rate += dot(v_ij, gradient<kept>(f, i, b, j, lane));
     }
     const Row<Real> ghosts = f.ghost_gradient[i];
-    return sum(rate, lane) + fault(eq02_ghosts, dot(own, ghosts.vector()) - ghosts.w);
+    return sum(rate, lane) + (dot(own, ghosts.vector()) - ghosts.w);
 }
 
 /// Eq. (4)  A field at a point r from its values A_j at the bodies around it:
@@ -113,8 +111,7 @@ ANEURYSM_HD Real interpolate(const Kernel<Real>& W, const Vec3T<Real>& r, const 
         const RowLanes<Real> body = load_rows(bodies + k, lane);
         const RowLanes<Real> at_body = load_rows(values + k, lane);
         const Vec3T<Lanes<Real>> x = all_lanes(r) - body.vector();
-        value +=
-            fault(eq04_term, at_body.x * body.w / fault(eq04_density, at_body.y) * W.value(sqrt(dot(x, x))));
+        value += at_body.x * body.w / at_body.y * W.value(sqrt(dot(x, x)));
     }
     return sum(value, lane);
 }
@@ -125,7 +122,7 @@ ANEURYSM_HD Real interpolate(const Kernel<Real>& W, const Vec3T<Real>& r, const 
 template <class Real>
 ANEURYSM_INLINE Lanes<Real> density(const Fields<Real>& f, const Pairs<Real>& pair)
 {
-    return fault(eq05_term, pair.m * f.c.kernel.value(pair.r));
+    return pair.m * f.c.kernel.value(pair.r);
 }
 
 /// Eq. (EOS)  Equation of state:
@@ -134,7 +131,7 @@ ANEURYSM_INLINE Lanes<Real> density(const Fields<Real>& f, const Pairs<Real>& pa
 template <class Number>
 ANEURYSM_INLINE Number equation_of_state(const Number& kappa, const Number& rho, const Number& rho_0)
 {
-    return fault(eos_stiffness, kappa) * (fault(eos_density, rho) - fault(eos_rest, rho_0));
+    return kappa * (rho - rho_0);
 }
 
 /// Eq. (6)  Pressure force, literally:
@@ -155,15 +152,14 @@ ANEURYSM_HD Vec3T<Real> pressure_force(const Fields<Real>& f, Index i, Real outl
         const Lanes<Index> j = neighbors(f.free, b, lane);
         const Number rho_j = gather_rows(f.body_velocity, j).w;
         const Number p_j = equation_of_state(kappa, rho_j, rho_0);
-        force -= (fault(eq06_own, p_i) + fault(eq06_other, p_j)) / (Number(2) * fault(eq06_density, rho_j)) *
-                 fault(eq06_gradient, gradient(f, pairs(f, i, j)));
+        force -= (p_i + p_j) / (Number(2) * rho_j) * gradient(f, pairs(f, i, j));
     }
     for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
         const Lanes<Index> j = neighbors(f.ghosts, b, lane);
         const Mask mirror = Lanes<Index>(0) < gather(f.is_mirror, j);
         const Number p_outlet = Number(outlet_factor) * gather_rows(f.body_velocity, j).w;
-        const Number p_j = select(mirror, fault(eq06_mirror, p_i), p_outlet);
-        force -= fault(eq06_ghosts, (p_i + p_j) / (Number(2) * rho_0) * gradient(f, pairs(f, i, j)));
+        const Number p_j = select(mirror, p_i, p_outlet);
+        force -= (p_i + p_j) / (Number(2) * rho_0) * gradient(f, pairs(f, i, j));
     }
     return sum(force, lane);
 }
@@ -185,16 +181,14 @@ ANEURYSM_INLINE Vec3T<Real> viscosity_force(const Fields<Real>& f, Index i, Lane
         const Lanes<Index> j = neighbors(f.free, b, lane);
         const Pairs<Real> pair = pairs<periodic>(f, i, j);
         const RowLanes<Real> other = gather_rows(f.body_velocity, j); // w: rho_j
-        force += fault(eq07_viscosity, mu) * pair.m / fault(eq07_density, other.w) *
-                 f.c.kernel.viscosity_laplacian(pair.r) * fault(eq07_difference, other.vector() - v_i);
+        force += mu * pair.m / other.w * f.c.kernel.viscosity_laplacian(pair.r) * (other.vector() - v_i);
     }
     for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
         const Lanes<Index> j = neighbors(f.ghosts, b, lane);
         const Pairs<Real> pair = pairs<periodic>(f, i, j);
         const Number m = select(j < slips_from, pair.m, Number(0));
         const Vec3T<Number> v_j = gather_rows(f.body_velocity, j).vector();
-        force += mu * m / Number(f.c.rho_0) * f.c.kernel.viscosity_laplacian(pair.r) *
-                 fault(eq07_ghosts, v_j - v_i);
+        force += mu * m / Number(f.c.rho_0) * f.c.kernel.viscosity_laplacian(pair.r) * (v_j - v_i);
     }
     return sum(force, lane);
 }
@@ -205,7 +199,7 @@ ANEURYSM_INLINE Vec3T<Real> viscosity_force(const Fields<Real>& f, Index i, Lane
 template <class Real>
 ANEURYSM_HD Vec3T<Real> acceleration(Real rho, const Vec3T<Real>& force)
 {
-    return fault(eq15_force, force) / fault(eq15_density, rho);
+    return force / rho;
 }
 
 } // namespace aneurysm::device

@@ -2,7 +2,6 @@
 // The bodies of a flow step: particles in the order of cells, and the wall's ghosts, which follow the sac.
 #pragma once
 
-#include "common/fault.hpp"
 #include "cuda/boundary.hpp"
 #include "cuda/controller.hpp"
 #include "cuda/fields.hpp"
@@ -57,7 +56,7 @@ struct PlaceWalls {
             mass = there && part > 0 ? f.c.mass * (part < 1 ? part : Real(1)) : 0;
         }
         const Index body = f.c.first_wall() + w;
-        place(f, body, x, fault(eq27_mass, mass));
+        place(f, body, x, mass);
         f.body_velocity[body] = row(wall_velocity<Real>(), Real(0));
         f.is_mirror[body] = 1;
     }

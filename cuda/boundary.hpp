@@ -2,7 +2,6 @@
 // Section 3.5: boundary conditions, (25)-(28), and the collision handling of Fig. 1.
 #pragma once
 
-#include "common/fault.hpp"
 #include "common/portable_math.hpp"
 #include "common/scenario/scenario.hpp"
 #include "cuda/executor/lanes.hpp"
@@ -25,7 +24,7 @@ inline double table_velocity(const Scenario& scenario, double phase)
     const double t_1 = next != time.end() ? *next : scenario.inlet.cycle_s;
     const double v_1 = next != time.end() ? velocity[k] : velocity[0];
     const double part = (phase - time[k - 1]) / (t_1 - time[k - 1]);
-    return velocity[k - 1] + fault(eq25_table, (v_1 - velocity[k - 1]) * part);
+    return velocity[k - 1] + (v_1 - velocity[k - 1]) * part;
 }
 
 /// Eq. (25)  Velocity of the inlet's ghost particles, along the parent's axis into the artery:
@@ -35,9 +34,9 @@ inline double table_velocity(const Scenario& scenario, double phase)
 /// On the host, once a step: a sine need not have the same bits on a GPU.
 inline double inlet_velocity(const Scenario& scenario, double t)
 {
-    const double v_0 = fault(eq25_amplitude, scenario.inlet.peak_velocity_m_s);
+    const double v_0 = scenario.inlet.peak_velocity_m_s;
     const double T = scenario.inlet.cycle_s;
-    const double sine = aneurysm::sine(fault(eq25_phase, 2 * std::numbers::pi * t / T));
+    const double sine = aneurysm::sine(2 * std::numbers::pi * t / T);
     switch (scenario.inlet.waveform) {
     case Waveform::sine:
         return v_0 * sine;
@@ -57,7 +56,7 @@ inline double inlet_velocity(const Scenario& scenario, double t)
 /// at rest while it comes back [Pa].
 ANEURYSM_HD inline double outlet_pressure(double p_const, double rho_0, double v)
 {
-    return fault(eq26_comes_back, v < 0) ? p_const - fault(eq26_dynamic, 0.5 * rho_0 * v * v) : p_const;
+    return v < 0 ? p_const - 0.5 * rho_0 * v * v : p_const;
 }
 
 /// Eq. (26)  Force per volume of outlet ghosts j, which carry p_outlet = p_const, on their neighbor i:
@@ -67,8 +66,7 @@ template <class Number>
 ANEURYSM_HD Vec3T<Number> outlet_pressure_force(const Number& rho_0, const Number& p_const,
                                                 const Vec3T<Number>& m_grad_W)
 {
-    return (Number(0) - fault(eq26_pressure, p_const) / fault(eq26_density, rho_0)) *
-           fault(eq26_gradient, m_grad_W);
+    return (Number(0) - p_const / rho_0) * m_grad_W;
 }
 
 /// Eq. (27)  Velocity of the wall's ghost particles: no slip.
@@ -77,7 +75,7 @@ ANEURYSM_HD Vec3T<Number> outlet_pressure_force(const Number& rho_0, const Numbe
 template <class Real>
 ANEURYSM_HD Vec3T<Real> wall_velocity()
 {
-    return fault(eq27_velocity, Vec3T<Real>{});
+    return Vec3T<Real>{};
 }
 
 /// Displacement of the elastic wall and its velocity.
@@ -92,9 +90,9 @@ struct ElasticWall {
 ANEURYSM_HD inline ElasticWall advance_elastic_wall(const ElasticWall& wall, double F_fluid, double k,
                                                     double m_wall, double dt)
 {
-    const double force = fault(eq28_fluid, F_fluid) - fault(eq28_spring, k * wall.u);
-    const double v = fault(eq28_velocity, wall.v) + dt * force / fault(eq28_mass, m_wall);
-    return {fault(eq28_displacement, wall.u) + fault(eq28_way, dt * v), v};
+    const double force = F_fluid - k * wall.u;
+    const double v = wall.v + dt * force / m_wall;
+    return {wall.u + dt * v, v};
 }
 
 /// Fig. 1  A particle that is `depth` beyond the wall is put back onto it; the velocity component along the
@@ -103,9 +101,9 @@ template <class Real>
 ANEURYSM_HD void collide(Vec3T<Real>& position, Vec3T<Real>& velocity, Real depth, const Vec3T<Real>& n)
 {
     const Real outward = dot(velocity, n);
-    position -= fault(fig1_depth, depth * n);
-    if (fault(fig1_outwards, outward > 0)) {
-        velocity -= fault(fig1_reflection, 2 * outward * n);
+    position -= depth * n;
+    if (outward > 0) {
+        velocity -= 2 * outward * n;
     }
 }
 

@@ -3,7 +3,6 @@
 // same exchange as in reference/controller.hpp, with prefix sums in the place of its loops.
 #pragma once
 
-#include "common/fault.hpp"
 #include "common/vessel/initial_state.hpp"
 #include "common/vessel/sampling.hpp"
 #include "cuda/boundary.hpp"
@@ -47,7 +46,7 @@ ANEURYSM_HD bool is_beyond(const Fields<Real>& f, const Vec3T<Real>& x, Real lim
 template <class Real>
 ANEURYSM_HD Vec3T<Real> behind(const Fields<Real>& f, Index k)
 {
-    return fault(sec34_behind, static_cast<Real>(opening_layers) * f.c.dx * opening(f, k).outward);
+    return static_cast<Real>(opening_layers) * f.c.dx * opening(f, k).outward;
 }
 
 /// What happened to a particle in a step; an event word is a sum of these.
@@ -133,9 +132,8 @@ private:
         const auto rho_0 = static_cast<double>(f.c.rho_0);
         const double depth = opening_layers * static_cast<double>(f.c.dx);
         const double p_outlet = outlet_pressure(f.c.p_outlet, rho_0, previous);
-        return fault(eq26_slab_velocity, probe->velocity[k] / count) +
-               fault(eq26_slab_push,
-                     static_cast<double>(f.c.dt) * (probe->pressure[k] / count - p_outlet) / (rho_0 * depth));
+        return probe->velocity[k] / count +
+               static_cast<double>(f.c.dt) * (probe->pressure[k] / count - p_outlet) / (rho_0 * depth);
     }
 };
 
@@ -203,15 +201,14 @@ struct DriveSlabs {
             return;
         }
         const Vec3T<Real> outward = opening(f, k).outward;
-        auto speed = static_cast<Real>(-s.inlet_velocity);
-        if (k > 0) {
-            const double v = s.outlet_velocity[k - 1];
-            const Real own = dot(f.velocity[id].vector(), outward) +
-                             static_cast<Real>(fault(eq26_slab_change, v - s.outlet_was[k - 1]));
-            speed = v > 0 ? (own > 0 ? own : 0) : static_cast<Real>(v);
+        if (k == 0) {
+            f.velocity[id] = row(static_cast<Real>(-s.inlet_velocity) * outward, Real(0));
+            return;
         }
-        const Vec3T<Real> v = speed * outward;
-        f.velocity[id] = row(k == 0 ? fault(eq25_slab, v) : v, Real(0));
+        const double v = s.outlet_velocity[k - 1];
+        const Real own = dot(f.velocity[id].vector(), outward) + static_cast<Real>(v - s.outlet_was[k - 1]);
+        const Real speed = v > 0 ? (own > 0 ? own : 0) : static_cast<Real>(v);
+        f.velocity[id] = row(speed * outward, Real(0));
     }
 };
 
@@ -222,12 +219,12 @@ ANEURYSM_HD void push_as_piston(const Fields<Real>& f, Real v_inlet, Vec3T<Real>
 {
     const OpeningT<Real>& inlet = opening(f, 0);
     const Real beyond = inlet.beyond(x);
-    if (v_inlet < 0 || beyond < -fault(eq25_reach, f.c.piston_reach)) {
+    if (v_inlet < 0 || beyond < -f.c.piston_reach) {
         return;
     }
     const Real lacking = v_inlet + dot(v, inlet.outward);
-    v -= fault(eq25_piston, (lacking > 0 ? lacking : Real(0)) * inlet.outward);
-    x -= fault(eq25_plane, (beyond > 0 ? beyond : Real(0)) * inlet.outward);
+    v -= (lacking > 0 ? lacking : Real(0)) * inlet.outward;
+    x -= (beyond > 0 ? beyond : Real(0)) * inlet.outward;
 }
 
 /// While outlet k's slab moves inwards, blood doesn't cross its plane outwards.
@@ -237,7 +234,7 @@ ANEURYSM_HD void hold_back(const Fields<Real>& f, Index k, Vec3T<Real>& x, Vec3T
     const OpeningT<Real>& end = opening(f, k);
     const Real beyond = end.beyond(x);
     if (beyond > 0 && nearest_tube(f, x) == k) {
-        x -= fault(eq26_plane, beyond * end.outward);
+        x -= beyond * end.outward;
         const Real outward = dot(v, end.outward);
         v -= (outward > 0 ? outward : Real(0)) * end.outward;
     }
@@ -249,7 +246,7 @@ template <class Real>
 ANEURYSM_HD bool is_taken(const Fields<Real>& f, Index id)
 {
     const Vec3T<Real> x = f.position[id].vector();
-    const Real reach = fault(sec34_entry, f.c.closest_entry);
+    const Real reach = f.c.closest_entry;
     bool taken = false;
     const auto look = [&](Range range) {
         for (Index s = range.begin; s < range.end; ++s) {

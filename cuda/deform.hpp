@@ -2,7 +2,6 @@
 // What a frame's impact does to the sac: growth, the elastic wall (28) and, when F_b > P_c, rupture.
 #pragma once
 
-#include "common/fault.hpp"
 #include "cuda/boundary.hpp"
 #include "cuda/containment.hpp"
 #include "cuda/fields.hpp"
@@ -48,8 +47,7 @@ struct Deform {
     {
         AneurysmState& a = scene->aneurysm;
         FrameRecord& r = scene->record;
-        const bool alive =
-            has_sac && a.phase != Phase::ruptured && r.frame > fault(eq21_warm_up, warm_up_frames);
+        const bool alive = has_sac && a.phase != Phase::ruptured && r.frame > warm_up_frames;
         if (alive) {
             grow(a, r.impact_force);
             move_wall(a, r.impact_force);
@@ -74,13 +72,12 @@ private:
     ANEURYSM_HD void grow(AneurysmState& a, double F_b) const
     {
         const double dR = radius_increment(tissue, F_b, a.radius, dt);
-        const double largest = fault(eq23_developed, largest_radius);
-        const double room = largest - a.radius;
+        const double room = largest_radius - a.radius;
         if (room > 0) {
             const double taken = dR < room ? dR : room;
             a.phase = Phase::growing;
             a.thickness = thickness_growing(a.thickness, a.radius, poisson_ratio, taken);
-            a.radius = taken < dR ? largest : a.radius + fault(eq21_growth, dR);
+            a.radius = taken < dR ? largest_radius : a.radius + dR;
         } else {
             a.phase = Phase::fully_developed;
             a.thickness = thickness_developed(a.thickness, thinning_intensity, dR, largest_increment);

@@ -2,7 +2,6 @@
 // What moves the blood in one flow step: the passes that use section 3.1, in the order in which they run.
 #pragma once
 
-#include "common/fault.hpp"
 #include "cuda/boundary.hpp"
 #include "cuda/controller.hpp"
 #include "cuda/incompressible.hpp"
@@ -52,7 +51,7 @@ private:
             flux += dot(G, other.vector());
             outlets += outlet_pressure_force(rho_0, other.w, G);
         }
-        const Real own = fault(eq05_self, f.c.mass * first(f.c.kernel.value(Number(0))));
+        const Real own = f.c.mass * first(f.c.kernel.value(Number(0)));
         const Real total = sum(rho, lane) + own;
         const Vec3T<Real> ghosts = sum(of_ghosts, lane);
         const Real alpha = dfsph_factor(sum(of_free, lane) + ghosts, sum(squares, lane));
@@ -91,8 +90,8 @@ struct Forces {
             const Vec3T<Real> F_outlets = outlets ? f.force[i].vector() : Vec3T<Real>{};
             const Vec3T<Real> force = momentum_force(rho, f.gravity(), F_viscosity, F_outlets);
             f.force[i] = row(F_viscosity, Real(0));
-            const Vec3T<Real> change = fault(eq15_change, f.c.dt * acceleration(rho, force));
-            f.solved_velocity[i] = row(f.body_velocity[i].vector() + change, Real(0));
+            f.solved_velocity[i] =
+                row(f.body_velocity[i].vector() + f.c.dt * acceleration(rho, force), Real(0));
         }
     }
 };
@@ -121,7 +120,7 @@ struct AccelerateByState {
             const Vec3T<Real> a = acceleration(rho, F);
             f.p_old[i] = equation_of_state(f.c.kappa, rho, f.c.rho_0);
             f.acceleration[i] = row(a, Real(0));
-            f.solved_velocity[i] = row(f.body_velocity[i].vector() + fault(eq03_push, f.c.dt * a), Real(0));
+            f.solved_velocity[i] = row(f.body_velocity[i].vector() + f.c.dt * a, Real(0));
         }
     }
 };
@@ -158,7 +157,7 @@ struct Move {
         f.solved_pressure[static_cast<std::size_t>(f.step) * static_cast<std::size_t>(f.c.particles) +
                           static_cast<std::size_t>(id)] = f.pressure[id];
         if (s < f.active_count()) {
-            const Vec3T<Real> way = fault(eq15_way, f.c.dt * v);
+            const Vec3T<Real> way = f.c.dt * v;
             f.position[id] = row(f.c.vessel.wrapped(f.position[id].vector() + way), Real(0));
         }
         f.event[id] = 0;

@@ -2,7 +2,6 @@
 // Section 3.3: how the aneurysm grows, (17)-(23). Once a frame, in double whatever the flow's precision.
 #pragma once
 
-#include "common/fault.hpp"
 #include "common/host_device.hpp"
 #include "common/scenario/scenario.hpp"
 
@@ -31,26 +30,25 @@ struct WallTissue {
 /// Eq. (17)  F_T = F_B - F_F - F_P                                                             [N]
 ANEURYSM_HD inline double net_wall_force(double F_B, double F_F, double F_P)
 {
-    return fault(eq17_blood, F_B) - fault(eq17_tissue, F_F) - fault(eq17_fibres, F_P);
+    return F_B - F_F - F_P;
 }
 
 /// Eq. (18)  The tissue fluid resists the wall's outward speed u_t: F_F = rho_F a c u_t        [N]
 ANEURYSM_HD inline double tissue_force(const WallTissue& w, double u_t)
 {
-    return fault(eq18_density, w.rho_F) * fault(eq18_area, w.a) * w.c * fault(eq18_speed, u_t);
+    return w.rho_F * w.a * w.c * u_t;
 }
 
 /// Eq. (19)  Elastin and collagen resist: F_P = (K_E A_E + K_C A_C) epsilon                    [N]
 ANEURYSM_HD inline double fiber_force(const WallTissue& w, double epsilon)
 {
-    return (fault(eq19_elastin, w.K_E * w.A_E) + fault(eq19_collagen, w.K_C * w.A_C)) *
-           fault(eq19_strain, epsilon);
+    return (w.K_E * w.A_E + w.K_C * w.A_C) * epsilon;
 }
 
 /// Eq. (20)  Strain of the wall: epsilon = dR / R                                              [1]
 ANEURYSM_HD inline double strain(double dR, double R)
 {
-    return fault(eq20_growth, dR) / fault(eq20_radius, R);
+    return dR / R;
 }
 
 /// Eq. (21)  Growth of the radius in one frame: (17) with F_T = m dR/dt^2, u_t = dR/dt and (20) is linear in
@@ -59,24 +57,22 @@ ANEURYSM_HD inline double strain(double dR, double R)
 ///     dR = F_B / ( m/dt^2 + rho_F a c / dt + (K_E A_E + K_C A_C) / R )                        [m]
 ANEURYSM_HD inline double radius_increment(const WallTissue& w, double F_B, double R, double dt)
 {
-    const double inertia = fault(eq21_inertia, w.m / (dt * dt));
-    const double resistance =
-        fault(eq21_tissue, tissue_force(w, 1 / dt)) + fault(eq21_fibres, fiber_force(w, strain(1, R)));
-    return fault(eq21_force, F_B) / (inertia + resistance);
+    const double inertia = w.m / (dt * dt);
+    const double resistance = tissue_force(w, 1 / dt) + fiber_force(w, strain(1, R));
+    return F_B / (inertia + resistance);
 }
 
 /// Eq. (22)  Thickness of the wall after a growth by dR: h' = h - h/R sigma dR                 [m]
 ANEURYSM_HD inline double thickness_growing(double h, double R, double sigma, double dR)
 {
-    return fault(eq22_thickness, h) - fault(eq22_thinning, h / fault(eq22_radius, R) * sigma * dR);
+    return h - h / R * sigma * dR;
 }
 
 /// Eq. (23)  Thickness once the aneurysm is fully developed: h' = h (1 - alpha min(dR, largest)) [m]
 ANEURYSM_HD inline double thickness_developed(double h, double alpha, double dR, double largest)
 {
-    const double cap = fault(eq23_cap, largest);
-    const double taken = dR < cap ? dR : cap;
-    return fault(eq23_thickness, h) * (1 - fault(eq23_thinning, alpha * taken));
+    const double taken = dR < largest ? dR : largest;
+    return h * (1 - alpha * taken);
 }
 
 } // namespace aneurysm::device

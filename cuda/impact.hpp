@@ -2,7 +2,6 @@
 // The impact (16) of the blood on the sac's wall.
 #pragma once
 
-#include "common/fault.hpp"
 #include "cuda/blood_flow.hpp"
 #include "cuda/bodies.hpp"
 #include "cuda/rupture.hpp"
@@ -30,7 +29,7 @@ struct Impacts {
             const Real rho = f.body_velocity[i].w;
             const Vec3T<Real> g = f.gravity();
             const Vec3T<Real> F_viscosity = f.force[i].vector();
-            const Vec3T<Real> F_pressure = fault(eq16_pressure, rho * f.acceleration[i].vector());
+            const Vec3T<Real> F_pressure = rho * f.acceleration[i].vector();
             f.impact[i] = impact_force(f.c.mass, rho, momentum_force(rho, g, F_viscosity, F_pressure));
             f.impact_eos[i] = impact_force(f.c.mass, rho, momentum_force(rho, g, F_viscosity, F_eos));
         }
@@ -49,8 +48,7 @@ private:
         const Real R = sac_radius<Real>(*f.scene);
         const Real to_sac = f.c.vessel.sac(x, R).value;
         const Real to_tubes = f.c.vessel.tubes(x).value;
-        const Real band = fault(eq16_band, f.c.impact_band);
-        return fault(eq16_of_sac, to_sac < to_tubes) && f.c.vessel.wall(x, R).value > -band;
+        return to_sac < to_tubes && f.c.vessel.wall(x, R).value > -f.c.impact_band;
     }
 };
 template <class Real>

@@ -3,7 +3,6 @@
 // Nesterov's accelerated projected gradient with restart.
 #pragma once
 
-#include "common/fault.hpp"
 #include "common/guards.hpp"
 #include "cuda/blood_flow.hpp"
 
@@ -46,7 +45,7 @@ using SolveSums = SolveSumsOf<double>;
 template <class Real>
 ANEURYSM_HD Real dfsph_factor(const Vec3T<Real>& sum, Real squares)
 {
-    const Real denominator = fault(eq03_alpha_sum, dot(sum, sum)) + fault(eq03_alpha_squares, squares);
+    const Real denominator = dot(sum, sum) + squares;
     return denominator > 0 ? 1 / denominator : 0;
 }
 
@@ -61,24 +60,24 @@ ANEURYSM_INLINE Vec3T<Real> pressure_acceleration(const Fields<Real>& f, Index i
     Vec3T<Lanes<Real>> a;
     for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
         const Lanes<Index> j = neighbors(f.free, b, lane);
-        a += (fault(eq03_own, own) + fault(eq03_other, gather(f.p, j))) * gradient<kept>(f, i, b, j, lane);
+        a += (own + gather(f.p, j)) * gradient<kept>(f, i, b, j, lane);
     }
-    const Vec3T<Real> total = sum(a, lane) + fault(eq03_ghosts, p_i * f.ghost_gradient[i].vector());
-    return -1 / fault(eq03_density, f.c.rho_0 * f.c.rho_0) * total;
+    const Vec3T<Real> total = sum(a, lane) + p_i * f.ghost_gradient[i].vector();
+    return -1 / (f.c.rho_0 * f.c.rho_0) * total;
 }
 
 /// beta (rho_i - rho_0) / dt + Drho_i/Dt: what (3) leaves over [kg/(m^3 s)].
 template <class Real>
 ANEURYSM_INLINE Real residual(const Fields<Real>& f, Index i)
 {
-    return f.source[i] + fault(eq03_rate, f.rate[i]);
+    return f.source[i] + f.rate[i];
 }
 
 /// p >= 0; what is no number stays none.
 template <class Real>
 ANEURYSM_INLINE Real positive(Real p)
 {
-    return fault(eq03_positive, !(p < 0)) ? p : 0;
+    return !(p < 0) ? p : 0;
 }
 
 /// The pressure of particle i after a step along its residual.
@@ -165,8 +164,8 @@ struct PrepareSolve {
     ANEURYSM_HD void operator()(Index i) const
     {
         const Real beta = static_cast<Real>(f.scene->density_correction);
-        f.source[i] = fault(eq03_density_error, beta * (f.body_velocity[i].w - f.c.rho_0) / f.c.dt);
-        f.response[i] = fault(eq03_response, f.c.omega * f.c.rho_0 * f.c.rho_0 / f.c.dt * f.alpha[i]);
+        f.source[i] = beta * (f.body_velocity[i].w - f.c.rho_0) / f.c.dt;
+        f.response[i] = f.c.omega * f.c.rho_0 * f.c.rho_0 / f.c.dt * f.alpha[i];
         f.p[i] = f.p_old[i];
     }
 };
@@ -181,7 +180,7 @@ struct Accelerate {
         const Vec3T<Real> a = pressure_acceleration<kept>(f, i, lane);
         if (lane.is_first()) {
             f.acceleration[i] = row(a, Real(0));
-            f.solved_velocity[i] = row(f.body_velocity[i].vector() + fault(eq03_push, f.c.dt * a), Real(0));
+            f.solved_velocity[i] = row(f.body_velocity[i].vector() + f.c.dt * a, Real(0));
         }
     }
 };
@@ -210,8 +209,8 @@ struct Residuals {
     ANEURYSM_INLINE SolveSumsOf<Lanes<double>> eight(Index i, Lane lane) const
     {
         const Lanes<Real> rate = load(f.rate + i, lane);
-        return terms(load(f.source + i, lane) + fault(eq03_rate, rate), rate, load(f.p + i, lane),
-                     load(f.p_old + i, lane), load(f.alpha + i, lane), load(f.response + i, lane));
+        return terms(load(f.source + i, lane) + rate, rate, load(f.p + i, lane), load(f.p_old + i, lane),
+                     load(f.alpha + i, lane), load(f.response + i, lane));
     }
 
 private:
@@ -272,9 +271,9 @@ struct Decide {
             return;
         }
         ++s.solve_iterations;
-        const double t = fault(eq03_restart, sums->restart > 0) ? 1 : s.solve_t;
-        s.solve_t = (1 + std::sqrt(1 + fault(eq03_sequence, 4 * t * t))) / 2;
-        s.solve_theta = fault(eq03_theta, (t - 1) / s.solve_t);
+        const double t = sums->restart > 0 ? 1 : s.solve_t;
+        s.solve_t = (1 + std::sqrt(1 + 4 * t * t)) / 2;
+        s.solve_theta = (t - 1) / s.solve_t;
     }
 };
 

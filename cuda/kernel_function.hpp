@@ -2,7 +2,6 @@
 // Section 3.1: the kernel W of (4)-(6) and the Laplacian of (7).
 #pragma once
 
-#include "common/fault.hpp"
 #include "common/scenario/scenario.hpp"
 #include "cuda/executor/lanes.hpp"
 
@@ -34,49 +33,39 @@ public:
     ANEURYSM_INLINE Number value(const Number& r) const
     {
         const Number q = r * Number(per_h_);
-        const Number a = select(q < support_edge(), Number(2) - q, Number(0));
-        const Number norm = fault(eq04_norm, Number(norm_));
+        const Number a = select(q < Number(2), Number(2) - q, Number(0));
         if (is_wendland_) {
-            const Number b = fault(eq04_wendland, Number(Real(0.5)) * a);
+            const Number b = Number(Real(0.5)) * a;
             const Number b2 = b * b;
-            return norm * b2 * b2 * (Number(1) + fault(eq04_wendland_line, Number(2) * q));
+            return Number(norm_) * b2 * b2 * (Number(1) + Number(2) * q);
         }
-        const Number inner = fault(eq04_square, Number(Real(1.5))) - fault(eq04_cube, Number(Real(0.75)) * q);
-        const Number b = fault(eq04_outer, a);
+        const Number inner = Number(Real(1.5)) - Number(Real(0.75)) * q;
         const Number near = Number(1) - q * q * inner;
-        const Number far = Number(Real(0.25)) * b * b * b;
-        return norm * select(q < inner_edge(), near, far);
+        const Number far = Number(Real(0.25)) * a * a * a;
+        return Number(norm_) * select(q < Number(1), near, far);
     }
 
     /// W'(r) / r, so that grad W = this times (r_i - r_j) [1/m^5]; never positive
     ANEURYSM_INLINE Number gradient_factor(const Number& r) const
     {
         const Number q = r * Number(per_h_);
-        const Number a = select(q < support_edge(), Number(2) - q, Number(0));
-        const Number norm = fault(eq04_slope_norm, Number(gradient_norm_));
+        const Number a = select(q < Number(2), Number(2) - q, Number(0));
         if (is_wendland_) {
-            const Number b = fault(eq04_slope_wendland, Number(Real(0.5)) * a);
-            return norm * Number(-5) * b * b * b;
+            const Number b = Number(Real(0.5)) * a;
+            return Number(gradient_norm_) * Number(-5) * b * b * b;
         }
-        const Number b = fault(eq04_slope_outer, a);
-        const Number near =
-            fault(eq04_slope_square, Number(Real(2.25)) * q) - fault(eq04_slope_line, Number(3));
-        const Number far = Number(Real(-0.75)) * b * b / q; // not taken where q is 0
-        return norm * select(q < inner_edge(), near, far);
+        const Number near = Number(Real(2.25)) * q - Number(3);
+        const Number far = Number(Real(-0.75)) * a * a / q; // not taken where q is 0
+        return Number(gradient_norm_) * select(q < Number(1), near, far);
     }
 
     /// Laplacian of the viscosity kernel, 45 / (pi H^6) (H - r) for r < H = 2 h [1/m^5]
     ANEURYSM_INLINE Number viscosity_laplacian(const Number& r) const
     {
-        const Number norm = fault(eq07_norm, Number(viscosity_norm_));
-        return select(r < fault(eq07_support, Number(support_)),
-                      norm * fault(eq07_distance, Number(support_) - r), Number(0));
+        return select(r < Number(support_), Number(viscosity_norm_) * (Number(support_) - r), Number(0));
     }
 
 private:
-    ANEURYSM_INLINE static Number inner_edge() { return fault(eq04_inner_edge, Number(1)); }
-    ANEURYSM_INLINE static Number support_edge() { return fault(eq04_support, Number(2)); }
-
     bool is_wendland_;
     Real per_h_;
     Real norm_;

@@ -4,7 +4,6 @@
 // R: radius [m], h: wall thickness [m], P: pressure [Pa].
 #pragma once
 
-#include "common/fault.hpp"
 #include "common/host_device.hpp"
 #include "common/vec3.hpp"
 #include "cuda/executor/lanes.hpp"
@@ -17,19 +16,19 @@ namespace aneurysm::device
 /// Eq. (8)  Stress of a thin spherical wall: Sigma = P R / (2 h)                               [Pa]
 ANEURYSM_HD inline double wall_stress(double P, double R, double h)
 {
-    return fault(eq08_force, P * R) / fault(eq08_thickness, 2 * h);
+    return P * R / (2 * h);
 }
 
 /// Eq. (9)  The wall thins as it grows: dh = -sigma h dR / R                                   [m]
 ANEURYSM_HD inline double thickness_differential(double sigma, double h, double R, double dR)
 {
-    return fault(eq09_loss, -sigma * h * dR) / fault(eq09_radius, R);
+    return -sigma * h * dR / R;
 }
 
 /// Eq. (10)  Porosity falls as the wall's volume rises: dphi = -(2 - sigma) dR / R             [1]
 ANEURYSM_HD inline double porosity_differential(double sigma, double R, double dR)
 {
-    return -(fault(eq10_sphere, 2.0) - fault(eq10_thinning, sigma)) * dR / fault(eq10_radius, R);
+    return -(2.0 - sigma) * dR / R;
 }
 
 /// Eq. (11)  Stress of a ductile wall with voids: Sigma = -2/3 Y ln phi                        [Pa]
@@ -37,7 +36,7 @@ ANEURYSM_HD inline double porosity_differential(double sigma, double R, double d
 /// On the host: no run needs it.
 inline double stress_of_porosity(double Y, double phi)
 {
-    return fault(eq11_yield, -2.0 / 3.0 * Y) * fault(eq11_logarithm, std::log(fault(eq11_porosity, phi)));
+    return -2.0 / 3.0 * Y * std::log(phi);
 }
 
 /// Eq. (12)  How fast the radius grows with pressure, with its pole at (13):
@@ -46,9 +45,9 @@ inline double stress_of_porosity(double Y, double phi)
 ANEURYSM_HD inline double radius_per_pressure(double P, double R, double h, double Y, double sigma,
                                               double phi)
 {
-    const double strength = fault(eq12_strength, 2 * Y * (2 - sigma) / (3 * R * phi));
-    const double load = fault(eq12_load, P * (1 + sigma) / (2 * h));
-    return fault(eq12_numerator, R / (2 * h)) / (strength - load);
+    const double strength = 2 * Y * (2 - sigma) / (3 * R * phi);
+    const double load = P * (1 + sigma) / (2 * h);
+    return (R / (2 * h)) / (strength - load);
 }
 
 /// Eq. (13)  The pressure at which dR/dP becomes infinite:
@@ -56,15 +55,14 @@ ANEURYSM_HD inline double radius_per_pressure(double P, double R, double h, doub
 ///     P_c = 4 h Y (2 - sigma) / (3 R phi (1 + sigma))                                         [Pa]
 ANEURYSM_HD inline double critical_pressure(double h, double R, double Y, double sigma, double phi)
 {
-    return fault(eq13_strength, 4 * h * Y * (2 - sigma)) /
-           (fault(eq13_radius, 3 * R) * fault(eq13_porosity, phi) * (1 + fault(eq13_poisson, sigma)));
+    return 4 * h * Y * (2 - sigma) / (3 * R * phi * (1 + sigma));
 }
 
 /// Eq. (14)  Impulse and momentum, F dt = m v: F = m v / dt                                    [N]
 template <class Real>
 ANEURYSM_HD Vec3T<Real> impulse_force(Real m, const Vec3T<Real>& v, Real dt)
 {
-    return fault(eq14_mass, m) / fault(eq14_time, dt) * fault(eq14_velocity, v);
+    return m / dt * v;
 }
 
 /// The hardest hit so far and who made it: the larger force, of two equal ones the lower particle. A force
@@ -77,8 +75,8 @@ struct Impact {
 
     ANEURYSM_HD Impact& operator+=(const Impact& b)
     {
-        const bool harder = fault(eq16_harder, b.force > force) || std::isnan(b.force) ||
-                            (b.force == force && b.particle < particle);
+        const bool harder =
+            b.force > force || std::isnan(b.force) || (b.force == force && b.particle < particle);
         if (b.count > 0 && (count == 0 || harder)) {
             force = b.force;
             particle = b.particle;
@@ -98,13 +96,13 @@ struct Impact {
 template <class Real>
 ANEURYSM_HD Real impact_force(Real m, Real rho, const Vec3T<Real>& force)
 {
-    return length(fault(eq16_mass, m) / fault(eq16_density, rho) * force);
+    return length(m / rho * force);
 }
 
 /// The criterion of section 3.2: the wall ruptures when F_b, taken as a pressure on `area`, exceeds P_c.
 ANEURYSM_HD inline bool ruptures(double F_b, double area, double P_c)
 {
-    return F_b / fault(eq16_area, area) > fault(eq16_resistance, P_c);
+    return F_b / area > P_c;
 }
 
 } // namespace aneurysm::device

@@ -2,8 +2,6 @@
 // Section 3.4: the radii of a branching artery, (24).
 #pragma once
 
-#include "common/fault.hpp"
-
 namespace aneurysm::reference
 {
 
@@ -16,7 +14,7 @@ namespace aneurysm::reference
 inline double daughter_radius(double r_0)
 {
     constexpr double cube_root_of_2 = 1.259921049894873164767;
-    return fault(eq24_radius, r_0) / fault(eq24_root, cube_root_of_2);
+    return r_0 / cube_root_of_2;
 }
 
 } // namespace aneurysm::reference

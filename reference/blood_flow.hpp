@@ -4,7 +4,6 @@
 // BoundedSum / BoundedVectorSum of reference/sum.hpp for the rounding bound.
 #pragma once
 
-#include "common/fault.hpp"
 #include "reference/neighbors.hpp"
 #include "reference/sum.hpp"
 
@@ -18,8 +17,7 @@ namespace aneurysm::reference
 ///     F = rho g + F^viscosity + F^pressure                                                    [N/m^3]
 inline Vec3 momentum_force(double rho, const Vec3& g, const Vec3& F_viscosity, const Vec3& F_pressure)
 {
-    return fault(eq01_gravity, rho * g) + fault(eq01_viscosity, F_viscosity) +
-           fault(eq01_pressure, F_pressure);
+    return rho * g + F_viscosity + F_pressure;
 }
 
 /// Eq. (2)  Drho/Dt = -rho div v, as the time derivative of (5):
@@ -30,7 +28,7 @@ Sum density_rate(const Bodies& b, std::span<const Neighbor> neighbors, std::span
 {
     Sum rate{};
     for (const Neighbor& n : neighbors) {
-        rate += fault(eq02_term, b.mass[n.j] * dot(fault(eq02_velocity, v[i] - v[n.j]), n.grad_W));
+        rate += b.mass[n.j] * dot(v[i] - v[n.j], n.grad_W);
     }
     return rate;
 }
@@ -46,7 +44,7 @@ Sum interpolate(const Bodies& b, std::span<const double> rho, std::span<const do
     for (std::size_t j = 0; j < b.size(); ++j) {
         if (b.role[j] != Role::absent) {
             const double w = W.value(length(r - b.position[j]));
-            value += fault(eq04_term, A[j] * b.mass[j] / fault(eq04_density, rho[j]) * w);
+            value += A[j] * b.mass[j] / rho[j] * w;
         }
     }
     return value;
@@ -60,7 +58,7 @@ Sum density(const Bodies& b, std::span<const Neighbor> neighbors)
 {
     Sum rho{};
     for (const Neighbor& n : neighbors) {
-        rho += fault(eq05_term, b.mass[n.j] * n.W);
+        rho += b.mass[n.j] * n.W;
     }
     return rho;
 }
@@ -70,7 +68,7 @@ Sum density(const Bodies& b, std::span<const Neighbor> neighbors)
 ///     p_i = kappa (rho_i - rho_0)                                                             [Pa]
 inline double equation_of_state(double kappa, double rho, double rho_0)
 {
-    return fault(eos_stiffness, kappa) * (fault(eos_density, rho) - fault(eos_rest, rho_0));
+    return kappa * (rho - rho_0);
 }
 
 /// Eq. (6)  Pressure force, literally:
@@ -86,9 +84,8 @@ Sum pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, std::sp
     Sum force{};
     for (const Neighbor& n : neighbors) {
         const bool mirrors = b.role[n.j] == Role::mirror || b.role[n.j] == Role::slip;
-        const double p_j = mirrors ? fault(eq06_mirror, p[i]) : p[n.j];
-        force += -b.mass[n.j] * (fault(eq06_own, p[i]) + fault(eq06_other, p_j)) /
-                 (2 * fault(eq06_density, rho[n.j])) * fault(eq06_gradient, n.grad_W);
+        const double p_j = mirrors ? p[i] : p[n.j];
+        force += -b.mass[n.j] * (p[i] + p_j) / (2 * rho[n.j]) * n.grad_W;
     }
     return force;
 }
@@ -107,8 +104,7 @@ Sum viscosity_force(const Bodies& b, std::span<const Neighbor> neighbors, std::s
         if (b.role[n.j] == Role::slip) {
             continue;
         }
-        force += fault(eq07_viscosity, mu) * b.mass[n.j] / fault(eq07_density, rho[n.j]) * n.lap_W *
-                 fault(eq07_difference, b.velocity[n.j] - b.velocity[i]);
+        force += mu * b.mass[n.j] / rho[n.j] * n.lap_W * (b.velocity[n.j] - b.velocity[i]);
     }
     return force;
 }
@@ -118,7 +114,7 @@ Sum viscosity_force(const Bodies& b, std::span<const Neighbor> neighbors, std::s
 ///     a_i = (rho_i g + F_i^pressure + F_i^viscosity) / rho_i                                  [m/s^2]
 inline Vec3 acceleration(double rho, const Vec3& force)
 {
-    return fault(eq15_force, force) / fault(eq15_density, rho);
+    return force / rho;
 }
 
 } // namespace aneurysm::reference

@@ -2,7 +2,6 @@
 // Section 3.5: boundary conditions, (25)-(28), and the collision handling of Fig. 1.
 #pragma once
 
-#include "common/fault.hpp"
 #include "common/portable_math.hpp"
 #include "common/scenario/scenario.hpp"
 
@@ -23,7 +22,7 @@ inline double table_velocity(const std::vector<double>& time, const std::vector<
     const double t_0 = time[k - 1];
     const double t_1 = k < time.size() ? time[k] : T;
     const double v_1 = k < time.size() ? velocity[k] : velocity[0];
-    return velocity[k - 1] + fault(eq25_table, (v_1 - velocity[k - 1]) * ((s - t_0) / (t_1 - t_0)));
+    return velocity[k - 1] + (v_1 - velocity[k - 1]) * ((s - t_0) / (t_1 - t_0));
 }
 
 /// Eq. (25)  Velocity of the inlet's ghost particles, along the parent's axis into the artery:
@@ -31,12 +30,11 @@ inline double table_velocity(const std::vector<double>& time, const std::vector<
 ///     v_inlet = v_0 sin(2 pi t / T)                                                           [m/s]
 ///
 /// as printed (`sine`); the other waveforms are the scenario's choice.
-inline double inlet_velocity(Waveform waveform, double peak, double T, double t,
+inline double inlet_velocity(Waveform waveform, double v_0, double T, double t,
                              const std::vector<double>& table_time,
                              const std::vector<double>& table_velocity_m_s)
 {
-    const double v_0 = fault(eq25_amplitude, peak);
-    const double sine = aneurysm::sine(fault(eq25_phase, 2 * std::numbers::pi * t / T));
+    const double sine = aneurysm::sine(2 * std::numbers::pi * t / T);
     switch (waveform) {
     case Waveform::sine:
         return v_0 * sine;
@@ -57,7 +55,7 @@ inline double inlet_velocity(Waveform waveform, double peak, double T, double t,
 /// its own. A static pressure would feed any inflow, and the daughters' flows would run away from each other.
 inline double outlet_pressure(double p_const, double rho_0, double v)
 {
-    return fault(eq26_comes_back, v < 0) ? p_const - fault(eq26_dynamic, 0.5 * rho_0 * v * v) : p_const;
+    return v < 0 ? p_const - 0.5 * rho_0 * v * v : p_const;
 }
 
 /// Eq. (26)  Force per volume of an outlet ghost j, which carries p_outlet = p_const, on its neighbor i:
@@ -65,7 +63,7 @@ inline double outlet_pressure(double p_const, double rho_0, double v)
 ///     F = -m_j / rho_0 p_const grad W_ij                                                      [N/m^3]
 inline Vec3 outlet_pressure_force(double m_j, double rho_0, double p_const, const Vec3& grad_W)
 {
-    return -m_j / fault(eq26_density, rho_0) * fault(eq26_pressure, p_const) * fault(eq26_gradient, grad_W);
+    return -m_j / rho_0 * p_const * grad_W;
 }
 
 /// Eq. (27)  Velocity of the wall's ghost particles: no slip.
@@ -73,7 +71,7 @@ inline Vec3 outlet_pressure_force(double m_j, double rho_0, double p_const, cons
 ///     v_wall = 0                                                                              [m/s]
 constexpr Vec3 wall_velocity()
 {
-    return fault(eq27_velocity, Vec3{});
+    return Vec3{};
 }
 
 /// Displacement of the elastic wall and its velocity.
@@ -90,9 +88,9 @@ struct ElasticWall {
 inline ElasticWall advance_elastic_wall(const ElasticWall& wall, double F_fluid, double k, double m_wall,
                                         double dt)
 {
-    const double force = fault(eq28_fluid, F_fluid) - fault(eq28_spring, k * wall.u);
-    const double v = fault(eq28_velocity, wall.v) + dt * force / fault(eq28_mass, m_wall);
-    return {fault(eq28_displacement, wall.u) + fault(eq28_way, dt * v), v};
+    const double force = F_fluid - k * wall.u;
+    const double v = wall.v + dt * force / m_wall;
+    return {wall.u + dt * v, v};
 }
 
 /// Fig. 1  A particle that is `depth` beyond the wall is put back onto it; the velocity component along the
@@ -104,8 +102,8 @@ struct Collision {
 inline Collision collide(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n)
 {
     const double outward = dot(velocity, n);
-    const Vec3 turned = velocity - fault(fig1_reflection, 2 * outward * n);
-    return {position - fault(fig1_depth, depth * n), fault(fig1_outwards, outward > 0) ? turned : velocity};
+    const Vec3 turned = velocity - 2 * outward * n;
+    return {position - depth * n, outward > 0 ? turned : velocity};
 }
 
 } // namespace aneurysm::reference

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/controller.hpp"
 
-#include "common/fault.hpp"
 #include "common/vessel/initial_state.hpp"
 #include "common/vessel/sampling.hpp"
 #include "reference/neighbors.hpp"
@@ -41,7 +40,7 @@ void Controller::drive_inlet(Particles& particles, double v_inlet) const
 {
     for (std::size_t i = 0; i < particles.size(); ++i) {
         if (particles.kind[i] == Kind::inlet) {
-            particles.velocity[i] = fault(eq25_slab, -v_inlet * vessel_->openings()[0].outward);
+            particles.velocity[i] = -v_inlet * vessel_->openings()[0].outward;
         }
     }
 }
@@ -65,8 +64,7 @@ double Controller::outlet_velocity(const Particles& particles, std::size_t k, do
     if (count == 0) {
         return previous;
     }
-    return fault(eq26_slab_velocity, velocity / count) +
-           fault(eq26_slab_push, dt * (pressure / count - p_outlet) / (rho_0 * opening_layers * dx_));
+    return velocity / count + dt * (pressure / count - p_outlet) / (rho_0 * opening_layers * dx_);
 }
 
 void Controller::drive_outlet(Particles& particles, std::size_t k, double v, double previous) const
@@ -74,7 +72,7 @@ void Controller::drive_outlet(Particles& particles, std::size_t k, double v, dou
     const Vec3& outward = vessel_->openings()[k].outward;
     for (std::size_t i = 0; i < particles.size(); ++i) {
         if (particles.kind[i] == ghost_kind[k]) {
-            const double own = dot(particles.velocity[i], outward) + fault(eq26_slab_change, v - previous);
+            const double own = dot(particles.velocity[i], outward) + (v - previous);
             particles.velocity[i] = (v > 0 ? std::max(own, 0.0) : v) * outward;
         }
     }
@@ -106,13 +104,12 @@ void Controller::push_as_piston(Particles& particles, double v_inlet) const
     const Opening& inlet = vessel_->openings()[0];
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const double beyond = inlet.beyond(particles.position[i]);
-        if (particles.kind[i] != Kind::fluid ||
-            beyond < -fault(eq25_reach, settings_.piston_reach_spacings) * dx_) {
+        if (particles.kind[i] != Kind::fluid || beyond < -settings_.piston_reach_spacings * dx_) {
             continue;
         }
         const double inward = -dot(particles.velocity[i], inlet.outward);
-        particles.velocity[i] -= fault(eq25_piston, std::max(0.0, v_inlet - inward) * inlet.outward);
-        particles.position[i] -= fault(eq25_plane, std::max(0.0, beyond) * inlet.outward);
+        particles.velocity[i] -= std::max(0.0, v_inlet - inward) * inlet.outward;
+        particles.position[i] -= std::max(0.0, beyond) * inlet.outward;
     }
 }
 
@@ -123,7 +120,7 @@ void Controller::hold_back(Particles& particles, std::size_t k) const
         const double beyond = end.beyond(particles.position[i]);
         if (particles.kind[i] == Kind::fluid && beyond > 0 &&
             vessel_->nearest_tube(particles.position[i]) == k) {
-            particles.position[i] -= fault(eq26_plane, beyond * end.outward);
+            particles.position[i] -= beyond * end.outward;
             particles.velocity[i] -= std::max(0.0, dot(particles.velocity[i], end.outward)) * end.outward;
         }
     }
@@ -133,8 +130,7 @@ bool Controller::is_taken(const Particles& particles, const Vec3& x) const
 {
     for (std::size_t i = 0; i < particles.size(); ++i) {
         const Vec3 d = difference(particles.position[i], x, vessel_->period());
-        if (particles.kind[i] == Kind::fluid &&
-            length(d) < fault(sec34_entry, settings_.closest_entry_spacings) * dx_) {
+        if (particles.kind[i] == Kind::fluid && length(d) < settings_.closest_entry_spacings * dx_) {
             return true;
         }
     }
@@ -198,7 +194,7 @@ void Controller::enter_artery(Particles& particles, Ledger& ledger) const
 
 Vec3 Controller::behind(std::size_t k) const
 {
-    return fault(sec34_behind, opening_layers * dx_ * vessel_->openings()[k].outward);
+    return opening_layers * dx_ * vessel_->openings()[k].outward;
 }
 
 void Controller::cross_openings(Particles& particles, Ledger& ledger) const

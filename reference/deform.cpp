@@ -2,7 +2,6 @@
 #include "reference/deform.hpp"
 
 #include "common/error.hpp"
-#include "common/fault.hpp"
 #include "reference/boundary.hpp"
 #include "reference/rupture.hpp"
 
@@ -40,12 +39,11 @@ void Deform::grow(AneurysmState& aneurysm, double F_b) const
 {
     AneurysmState& s = aneurysm;
     const double dR = radius_increment(tissue_, F_b, s.radius, scenario_.time.frame_s);
-    const double largest = fault(eq23_developed, largest_radius_);
-    if (s.radius < largest) {
+    if (s.radius < largest_radius_) {
         s.phase = Phase::growing;
-        const double taken = std::min(dR, largest - s.radius);
+        const double taken = std::min(dR, largest_radius_ - s.radius);
         s.thickness = thickness_growing(s.thickness, s.radius, scenario_.rupture.poisson_ratio, taken);
-        s.radius = taken < dR ? largest : s.radius + fault(eq21_growth, dR);
+        s.radius = taken < dR ? largest_radius_ : s.radius + dR;
     } else {
         s.phase = Phase::fully_developed;
         s.thickness = thickness_developed(s.thickness, scenario_.growth.thinning_intensity_per_m, dR,
@@ -71,8 +69,7 @@ void Deform::move_wall(AneurysmState& aneurysm, std::int64_t frame, double F_b) 
 double Deform::operator()(AneurysmState& aneurysm, std::int64_t frame, double F_b) const
 {
     const auto& material = scenario_.rupture;
-    const bool alive =
-        aneurysm.phase != Phase::ruptured && frame > fault(eq21_warm_up, scenario_.growth.warm_up_frames);
+    const bool alive = aneurysm.phase != Phase::ruptured && frame > scenario_.growth.warm_up_frames;
     if (alive) {
         grow(aneurysm, F_b);
         move_wall(aneurysm, frame, F_b);

@@ -2,7 +2,6 @@
 #include "reference/flow.hpp"
 
 #include "common/error.hpp"
-#include "common/fault.hpp"
 #include "common/guards.hpp"
 #include "common/scenario/limits.hpp"
 #include "common/vessel/body_force.hpp"
@@ -145,8 +144,9 @@ FlowStep Flow::make_step(const SimulationState& state, const Wall& wall) const
     std::ranges::transform(p.kind, std::back_inserter(b.role), role_of);
     b.position.insert(b.position.end(), wall.ghosts.position.begin(), wall.ghosts.position.end());
     b.velocity.resize(b.size(), wall_velocity());
-    std::ranges::transform(wall.ghosts.mass, std::back_inserter(b.mass),
-                           [](double m) { return fault(eq27_mass, m); });
+    for (const double m : wall.ghosts.mass) {
+        b.mass.push_back(m);
+    }
     const bool slips = scenario_->domain.wall == WallCondition::slip;
     b.role.resize(b.size(), slips ? Role::slip : Role::mirror);
     Neighbors neighbors(b, kernel_, vessel_->period());
@@ -188,7 +188,7 @@ void Flow::apply_forces(FlowStep& step, const SimulationState& state, const Vec3
             }
         }
         const Vec3 force = momentum_force(step.rho[i], g, step.F_viscosity[i], step.F_outlet[i]);
-        step.velocity[i] = b.velocity[i] + fault(eq15_change, dt_ * acceleration(step.rho[i], force));
+        step.velocity[i] = b.velocity[i] + dt_ * acceleration(step.rho[i], force);
     }
     std::ranges::copy(step.velocity, b.velocity.begin());
 }
@@ -209,8 +209,8 @@ void Flow::solve_pressure(FlowStep& step, SimulationState& state, FrameRecord& r
     step.F_pressure.assign(p.size(), {});
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (b.free(i)) {
-            step.F_pressure[i] = fault(eq16_pressure, step.rho[i] * a[i]);
-            step.velocity[i] = b.velocity[i] + fault(eq03_push, dt_ * a[i]);
+            step.F_pressure[i] = step.rho[i] * a[i];
+            step.velocity[i] = b.velocity[i] + dt_ * a[i];
             p.pressure[i] = pressure[i];
         }
     }
@@ -284,7 +284,7 @@ void Flow::move(const FlowStep& step, SimulationState& state) const
         if (p.kind[i] == Kind::reserve) {
             continue;
         }
-        const Vec3 way = fault(eq15_way, dt_ * step.velocity[i]);
+        const Vec3 way = dt_ * step.velocity[i];
         if (!(length(way) < kernel_.support())) { // NaN too
             throw SimulationError(place(state, i),
                                   "it moves by " + std::to_string(length(way)) +
@@ -329,12 +329,11 @@ void Flow::record_flow(const FlowStep& step, const Particles& p, FrameRecord& re
 /// band before it, that has not been put back yet.
 std::vector<std::int64_t> Flow::impacting(const Particles& p, const Wall& wall) const
 {
-    const double band = fault(eq16_band, scenario_->rupture.impact_band_spacings * dx_);
+    const double band = scenario_->rupture.impact_band_spacings * dx_;
     std::vector<std::int64_t> S;
     for (std::size_t i = 0; vessel_->has_sac() && i < p.size(); ++i) {
         const Vec3& x = p.position[i];
-        if (p.kind[i] == Kind::fluid &&
-            fault(eq16_of_sac, vessel_->sac(x, wall.radius).value < vessel_->tubes(x).value) &&
+        if (p.kind[i] == Kind::fluid && vessel_->sac(x, wall.radius).value < vessel_->tubes(x).value &&
             vessel_->wall(x, wall.radius).value > -band) {
             S.push_back(static_cast<std::int64_t>(i));
         }

@@ -2,7 +2,7 @@
 // Section 3.3: how the aneurysm grows, (17)-(23).
 #pragma once
 
-#include "common/fault.hpp"
+#include <algorithm>
 
 namespace aneurysm::reference
 {
@@ -24,7 +24,7 @@ struct WallTissue {
 ///     F_T = F_B - F_F - F_P                                                                   [N]
 inline double net_wall_force(double F_B, double F_F, double F_P)
 {
-    return fault(eq17_blood, F_B) - fault(eq17_tissue, F_F) - fault(eq17_fibres, F_P);
+    return F_B - F_F - F_P;
 }
 
 /// Eq. (18)  The tissue fluid resists the wall's outward speed u_t:
@@ -32,7 +32,7 @@ inline double net_wall_force(double F_B, double F_F, double F_P)
 ///     F_F = rho_F a c u_t                                                                     [N]
 inline double tissue_force(const WallTissue& w, double u_t)
 {
-    return fault(eq18_density, w.rho_F) * fault(eq18_area, w.a) * w.c * fault(eq18_speed, u_t);
+    return w.rho_F * w.a * w.c * u_t;
 }
 
 /// Eq. (19)  Elastin and collagen resist; the paper sets each stress to the strain epsilon:
@@ -40,8 +40,8 @@ inline double tissue_force(const WallTissue& w, double u_t)
 ///     F_P = K_E A_E sigma_E + K_C A_C sigma_C,   sigma_E = sigma_C = epsilon                  [N]
 inline double fiber_force(const WallTissue& w, double epsilon)
 {
-    const double sigma = fault(eq19_strain, epsilon);
-    return fault(eq19_elastin, w.K_E * w.A_E) * sigma + fault(eq19_collagen, w.K_C * w.A_C) * sigma;
+    const double sigma = epsilon;
+    return w.K_E * w.A_E * sigma + w.K_C * w.A_C * sigma;
 }
 
 /// Eq. (20)  Strain of the wall:
@@ -49,7 +49,7 @@ inline double fiber_force(const WallTissue& w, double epsilon)
 ///     epsilon = dR / R                                                                        [1]
 inline double strain(double dR, double R)
 {
-    return fault(eq20_growth, dR) / fault(eq20_radius, R);
+    return dR / R;
 }
 
 /// Eq. (21)  Growth of the radius in one frame, (17)-(20) with F_T = m dR/dt^2 and u_t = dR/dt:
@@ -57,9 +57,7 @@ inline double strain(double dR, double R)
 ///     dR = F_B / ( m/dt^2 + rho_F a c / dt + (K_E A_E + K_C A_C) / R )                        [m]
 inline double radius_increment(const WallTissue& w, double F_B, double R, double dt)
 {
-    return fault(eq21_force, F_B) /
-           (fault(eq21_inertia, w.m / (dt * dt)) + fault(eq21_tissue, w.rho_F * w.a * w.c / dt) +
-            fault(eq21_fibres, (w.K_E * w.A_E + w.K_C * w.A_C) / R));
+    return F_B / (w.m / (dt * dt) + w.rho_F * w.a * w.c / dt + (w.K_E * w.A_E + w.K_C * w.A_C) / R);
 }
 
 /// Eq. (22)  Thickness of the wall after a growth by dR, the explicit Euler step of (9):
@@ -67,7 +65,7 @@ inline double radius_increment(const WallTissue& w, double F_B, double R, double
 ///     h' = h - h/R sigma dR                                                                   [m]
 inline double thickness_growing(double h, double R, double sigma, double dR)
 {
-    return fault(eq22_thickness, h) - fault(eq22_thinning, h / fault(eq22_radius, R) * sigma * dR);
+    return h - h / R * sigma * dR;
 }
 
 /// Eq. (23)  Thickness once the aneurysm is fully developed; dR does not exceed `largest`:
@@ -77,8 +75,7 @@ inline double thickness_growing(double h, double R, double sigma, double dR)
 /// alpha has the unit 1/m, which Table 1 leaves out.
 inline double thickness_developed(double h, double alpha, double dR, double largest)
 {
-    const double cap = fault(eq23_cap, largest);
-    return fault(eq23_thickness, h) * (1 - fault(eq23_thinning, alpha * (dR < cap ? dR : cap)));
+    return h * (1 - alpha * std::min(largest, dR));
 }
 
 } // namespace aneurysm::reference

@@ -57,7 +57,7 @@ public:
         for (std::size_t i = 0; i < b_.size(); ++i) {
             if (b_.free(i)) {
                 a_[i] = pressure_acceleration(b_, neighbors_.of(i), y_, settings_.rho_0, i);
-                v_[i] = b_.velocity[i] + fault(eq03_push, dt_ * a_[i]);
+                v_[i] = b_.velocity[i] + dt_ * a_[i];
             }
         }
         Statistics residuals;
@@ -65,9 +65,7 @@ public:
         for (std::size_t i = 0; i < b_.size(); ++i) {
             if (b_.free(i)) {
                 const double rate = density_rate(b_, neighbors_.of(i), v_, i);
-                residual_[i] = fault(eq03_density_error,
-                                     settings_.density_correction * (rho_[i] - settings_.rho_0) / dt_) +
-                               fault(eq03_rate, rate);
+                residual_[i] = settings_.density_correction * (rho_[i] - settings_.rho_0) / dt_ + rate;
                 const bool acts = y_[i] > 0 || (residual_[i] > 0 && alpha_[i] > 0);
                 residuals.add(acts ? std::abs(residual_[i]) / settings_.rho_0 : 0);
                 divergences.add(std::abs(rate) / settings_.rho_0);
@@ -86,7 +84,7 @@ public:
     }
 
 private:
-    static double positive(double p) { return fault(eq03_positive, p > 0) ? p : 0; }
+    static double positive(double p) { return p > 0 ? p : 0; }
 
     /// p_new = max(0, y + omega rho_0^2 alpha residual / dt).
     void step()
@@ -94,7 +92,7 @@ private:
         const double factor = settings_.relaxation * settings_.rho_0 * settings_.rho_0 / dt_;
         for (std::size_t i = 0; i < b_.size(); ++i) {
             if (b_.free(i)) {
-                p_new_[i] = positive(y_[i] + fault(eq03_response, factor * alpha_[i]) * residual_[i]);
+                p_new_[i] = positive(y_[i] + factor * alpha_[i] * residual_[i]);
             }
         }
     }
@@ -109,14 +107,14 @@ private:
                 sum += (y_[i] - p_new_[i]) * (p_new_[i] - p_old_[i]) / alpha_[i];
             }
         }
-        return fault(eq03_restart, sum > 0);
+        return sum > 0;
     }
 
     /// y = max(0, p_new + theta (p_new - p_old)).
     void add_momentum()
     {
-        const double t = (1 + std::sqrt(1 + fault(eq03_sequence, 4 * t_ * t_))) / 2;
-        const double theta = fault(eq03_theta, (t_ - 1) / t);
+        const double t = (1 + std::sqrt(1 + 4 * t_ * t_)) / 2;
+        const double theta = (t_ - 1) / t;
         for (std::size_t i = 0; i < b_.size(); ++i) {
             y_[i] = positive(p_new_[i] + theta * (p_new_[i] - p_old_[i]));
         }
@@ -152,7 +150,7 @@ double dfsph_factor(const Bodies& b, std::span<const Neighbor> neighbors)
             squares += dot(g, g);
         }
     }
-    const double denominator = fault(eq03_alpha_sum, dot(sum, sum)) + fault(eq03_alpha_squares, squares);
+    const double denominator = dot(sum, sum) + squares;
     return denominator > 0 ? 1 / denominator : 0;
 }
 

@@ -2,7 +2,6 @@
 // Section 3.1: the kernel W of (4)-(6) and the Laplacian of (7).
 #pragma once
 
-#include "common/fault.hpp"
 #include "common/scenario/scenario.hpp"
 
 #include <numbers>
@@ -27,38 +26,36 @@ public:
     double value(double r) const
     {
         const double q = r / h_;
-        if (q >= fault(eq04_support, 2.0)) {
+        if (q >= 2.0) {
             return 0;
         }
         if (name_ == KernelName::wendland_c2) {
-            const double a = fault(eq04_wendland, 1 - q / 2);
-            return fault(eq04_norm, wendland_norm()) * a * a * a * a * (1 + fault(eq04_wendland_line, 2 * q));
+            const double a = 1 - q / 2;
+            return wendland_norm() * a * a * a * a * (1 + 2 * q);
         }
-        if (q < fault(eq04_inner_edge, 1.0)) {
-            return fault(eq04_norm, spline_norm()) *
-                   (1 - fault(eq04_square, 1.5 * q * q) + fault(eq04_cube, 0.75 * q * q * q));
+        if (q < 1.0) {
+            return spline_norm() * (1 - 1.5 * q * q + 0.75 * q * q * q);
         }
-        const double a = fault(eq04_outer, 2 - q);
-        return fault(eq04_norm, spline_norm()) * 0.25 * a * a * a;
+        const double a = 2 - q;
+        return spline_norm() * 0.25 * a * a * a;
     }
 
     /// dW/dr [1/m^4]; never positive
     double derivative(double r) const
     {
         const double q = r / h_;
-        if (q >= fault(eq04_support, 2.0)) {
+        if (q >= 2.0) {
             return 0;
         }
         if (name_ == KernelName::wendland_c2) {
-            const double a = fault(eq04_slope_wendland, 1 - q / 2);
-            return fault(eq04_slope_norm, wendland_norm() / h_) * -5 * q * a * a * a;
+            const double a = 1 - q / 2;
+            return wendland_norm() / h_ * -5 * q * a * a * a;
         }
-        if (q < fault(eq04_inner_edge, 1.0)) {
-            return fault(eq04_slope_norm, spline_norm() / h_) *
-                   (fault(eq04_slope_line, -3 * q) + fault(eq04_slope_square, 2.25 * q * q));
+        if (q < 1.0) {
+            return spline_norm() / h_ * (-3 * q + 2.25 * q * q);
         }
-        const double a = fault(eq04_slope_outer, 2 - q);
-        return fault(eq04_slope_norm, spline_norm() / h_) * -0.75 * a * a;
+        const double a = 2 - q;
+        return spline_norm() / h_ * -0.75 * a * a;
     }
 
     /// grad W of a pair at x = r_i - r_j [1/m^4]; zero at x = 0
@@ -83,8 +80,8 @@ private:
 inline double viscosity_laplacian(double r, double support)
 {
     const double H = support;
-    const double norm = fault(eq07_norm, 45 / (std::numbers::pi * H * H * H * H * H * H));
-    return r < fault(eq07_support, H) ? norm * fault(eq07_distance, H - r) : 0;
+    const double norm = 45 / (std::numbers::pi * H * H * H * H * H * H);
+    return r < H ? norm * (H - r) : 0;
 }
 
 } // namespace aneurysm::reference

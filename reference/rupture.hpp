@@ -4,7 +4,6 @@
 // R: radius [m], h: wall thickness [m], P: pressure [Pa].
 #pragma once
 
-#include "common/fault.hpp"
 #include "common/vec3.hpp"
 
 #include <cmath>
@@ -19,7 +18,7 @@ namespace aneurysm::reference
 ///     Sigma = P R / (2 h)                                                                     [Pa]
 inline double wall_stress(double P, double R, double h)
 {
-    return fault(eq08_force, P * R) / fault(eq08_thickness, 2 * h);
+    return P * R / (2 * h);
 }
 
 /// Eq. (9)  The wall thins as it grows, dh/h = -sigma dR/R:
@@ -27,7 +26,7 @@ inline double wall_stress(double P, double R, double h)
 ///     dh = -sigma h dR / R                                                                    [m]
 inline double thickness_differential(double sigma, double h, double R, double dR)
 {
-    return fault(eq09_loss, -sigma * h * dR) / fault(eq09_radius, R);
+    return -sigma * h * dR / R;
 }
 
 /// Eq. (10)  Porosity falls as the wall's volume V = 4 pi R^2 h rises; with (9) dV/V = (2 - sigma) dR/R:
@@ -35,7 +34,7 @@ inline double thickness_differential(double sigma, double h, double R, double dR
 ///     dphi = -dV / V = -(2 - sigma) dR / R                                                    [1]
 inline double porosity_differential(double sigma, double R, double dR)
 {
-    return -(fault(eq10_sphere, 2.0) - fault(eq10_thinning, sigma)) * dR / fault(eq10_radius, R);
+    return -(2.0 - sigma) * dR / R;
 }
 
 /// Eq. (11)  Stress of a ductile wall with voids:
@@ -43,7 +42,7 @@ inline double porosity_differential(double sigma, double R, double dR)
 ///     Sigma = -2/3 Y ln phi                                                                   [Pa]
 inline double stress_of_porosity(double Y, double phi)
 {
-    return fault(eq11_yield, -2.0 / 3.0 * Y) * fault(eq11_logarithm, std::log(fault(eq11_porosity, phi)));
+    return -2.0 / 3.0 * Y * std::log(phi);
 }
 
 /// Eq. (12)  How fast the radius grows with pressure, from (8)-(11):
@@ -53,8 +52,7 @@ inline double stress_of_porosity(double Y, double phi)
 /// Positive below the critical pressure (13), where it has its pole, and negative above.
 inline double radius_per_pressure(double P, double R, double h, double Y, double sigma, double phi)
 {
-    return fault(eq12_numerator, R / (2 * h)) / (fault(eq12_strength, 2 * Y * (2 - sigma) / (3 * R * phi)) -
-                                                 fault(eq12_load, P * (1 + sigma) / (2 * h)));
+    return (R / (2 * h)) / (2 * Y * (2 - sigma) / (3 * R * phi) - P * (1 + sigma) / (2 * h));
 }
 
 /// Eq. (13)  The pressure at which dR/dP becomes infinite:
@@ -62,8 +60,7 @@ inline double radius_per_pressure(double P, double R, double h, double Y, double
 ///     P_c = 4 h Y (2 - sigma) / (3 R phi (1 + sigma))                                         [Pa]
 inline double critical_pressure(double h, double R, double Y, double sigma, double phi)
 {
-    return fault(eq13_strength, 4 * h * Y * (2 - sigma)) /
-           (fault(eq13_radius, 3 * R) * fault(eq13_porosity, phi) * (1 + fault(eq13_poisson, sigma)));
+    return 4 * h * Y * (2 - sigma) / (3 * R * phi * (1 + sigma));
 }
 
 /// Eq. (14)  Impulse and momentum, F dt = m v, solved for the force:
@@ -71,7 +68,7 @@ inline double critical_pressure(double h, double R, double Y, double sigma, doub
 ///     F = m v / dt                                                                            [N]
 inline Vec3 impulse_force(double m, const Vec3& v, double dt)
 {
-    return fault(eq14_mass, m) / fault(eq14_time, dt) * fault(eq14_velocity, v);
+    return m / dt * v;
 }
 
 /// The impact of (16) and who made it.
@@ -91,9 +88,8 @@ inline Impact impact_force(std::span<const std::int64_t> S, double m, std::span<
     Impact impact;
     for (const std::int64_t i : S) {
         const auto k = static_cast<std::size_t>(i);
-        const double F = length(fault(eq16_mass, m) / fault(eq16_density, density[k]) * force[k]);
-        if (impact.particle < 0 || fault(eq16_harder, F > impact.force) ||
-            std::isnan(F)) { // a NaN must not hide
+        const double F = length(m / density[k] * force[k]);
+        if (impact.particle < 0 || F > impact.force || std::isnan(F)) { // a NaN must not hide
             impact = {F, i};
         }
     }
@@ -103,7 +99,7 @@ inline Impact impact_force(std::span<const std::int64_t> S, double m, std::span<
 /// The criterion of section 3.2: the wall ruptures when F_b, taken as a pressure on `area`, exceeds P_c.
 inline bool ruptures(double F_b, double area, double P_c)
 {
-    return F_b / fault(eq16_area, area) > fault(eq16_resistance, P_c);
+    return F_b / area > P_c;
 }
 
 } // namespace aneurysm::reference

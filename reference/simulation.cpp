@@ -2,7 +2,6 @@
 #include "reference/simulation.hpp"
 
 #include "common/error.hpp"
-#include "common/fault.hpp"
 #include "common/vessel/initial_state.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/deform.hpp"

@@ -75,10 +75,10 @@ sensitivity::SensitivityStudy run_study(const std::vector<suite::Check>& checks,
     return sensitivity::run_study(chosen, suite::make_subjects({"reference", "cpu"}), options);
 }
 
-constexpr sensitivity::Mutant in_stress{eq08_force, sensitivity::Side::reference, mutants::Kind::coefficient,
-                                        sensitivity::mutant_size};
-constexpr sensitivity::Mutant in_pole{eq13_radius, sensitivity::Side::device, mutants::Kind::sign,
-                                      sensitivity::mutant_size};
+constexpr sensitivity::Mutant in_stress{sensitivity::eq08_force, sensitivity::Side::reference,
+                                        sensitivity::Kind::coefficient, sensitivity::mutant_size};
+constexpr sensitivity::Mutant in_pole{sensitivity::eq13_radius, sensitivity::Side::device,
+                                      sensitivity::Kind::sign, sensitivity::mutant_size};
 
 } // namespace
 
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(the_smallest_mutant_is_that_of_the_bound)
     BOOST_REQUIRE(study.sights.size() == 2U);
     BOOST_TEST(study.sights[0].smallest > 1e-6);
     BOOST_TEST(study.sights[0].smallest <= 2e-6);
-    BOOST_TEST(study.sights[0].place == eq08_force);
+    BOOST_TEST(study.sights[0].place == sensitivity::eq08_force);
     BOOST_TEST(study.sights[1].sees); // in cpu, where no mutant of the study was: looked for by itself
     BOOST_TEST(study.sights[1].smallest == study.sights[0].smallest);
 }
@@ -162,7 +162,7 @@ BOOST_AUTO_TEST_CASE(the_daily_mutants_are_24_of_every_kind_in_both_backends)
 {
     const std::vector<sensitivity::Mutant> all = sensitivity::all_mutants();
     std::map<std::string, int> sides;
-    std::set<mutants::Kind> kinds;
+    std::set<sensitivity::Kind> kinds;
     std::set<std::string> names;
     std::set<std::string> equations{"1", "15", "5", "6", "21"}; // through those that use or feed them
     for (const sensitivity::Mutant& mutant : sensitivity::daily_mutants()) {
@@ -192,8 +192,8 @@ BOOST_AUTO_TEST_CASE(reports_name_what_went_unnoticed)
          {sensitivity::sensitivity_text(report), sensitivity::sensitivity_markdown(report),
           sensitivity::sensitivity_json(report)}) {
         BOOST_TEST(text.find("FAIL") != std::string::npos);
-        BOOST_TEST(text.find("eq13_radius/sign/cpu") != std::string::npos);
-        BOOST_TEST(text.find("eq08_force") != std::string::npos);
+        BOOST_TEST(text.find("sensitivity::eq13_radius/sign/cpu") != std::string::npos);
+        BOOST_TEST(text.find("sensitivity::eq08_force") != std::string::npos);
     }
     BOOST_TEST(sensitivity::sensitivity_html(report).find("UNNOTICED") != std::string::npos);
 }

@@ -10,8 +10,6 @@ namespace aneurysm::sensitivity
 namespace
 {
 
-using mutants::Kind;
-
 /// One or both backends' formulas do the same with the mutant as without.
 struct Equivalent {
     Place place;

@@ -9,11 +9,6 @@ namespace aneurysm::sensitivity
 namespace
 {
 
-using mutants::Backends;
-using mutants::Kind;
-using mutants::Part;
-using mutants::places;
-
 std::vector<Kind> kinds_of(Part part)
 {
     switch (part) {
@@ -66,7 +61,7 @@ std::vector<Mutant> all_mutants()
     std::vector<Mutant> all;
     for (std::size_t k = 0; k < places.size(); ++k) {
         for (const Side side : {Side::reference, Side::device}) {
-            if (side == Side::reference && places.at(k).backends == Backends::optimized) {
+            if (side == Side::reference && places.at(k).backends == Backends::cuda) {
                 continue;
             }
             for (const Kind kind : kinds_of(places.at(k).part)) {
@@ -141,7 +136,7 @@ std::string name_of(const Mutant& mutant)
 
 std::string words_of(const Mutant& mutant)
 {
-    const mutants::PlaceInfo& place = places.at(mutant.place);
+    const PlaceInfo& place = places.at(mutant.place);
     return std::string(place.text).append(": ").append(words_of(mutant.kind, place.part));
 }
 

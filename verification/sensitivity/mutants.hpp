@@ -2,16 +2,13 @@
 // Which mutants `aneurysm verify --sensitivity` plants.
 #pragma once
 
-#include "common/fault.hpp"
+#include "verification/sensitivity/hook.hpp"
 
 #include <string>
 #include <vector>
 
 namespace aneurysm::sensitivity
 {
-
-using mutants::Mutant;
-using mutants::Side;
 
 /// Relative size of a mutant in a coefficient or an exponent: 1 %. Larger ones are easier to find.
 inline constexpr double mutant_size = 0.01;

@@ -36,7 +36,7 @@ output::Json json(const Sight& sight)
         {"backend", name_of(sight.side)},
         {"sees_a_fault", sight.sees},
         {"smallest_coefficient_fault", sight.smallest > 0 ? output::Json(sight.smallest) : output::Json()},
-        {"place", sight.smallest > 0 ? output::Json(mutants::places.at(sight.place).name) : output::Json()},
+        {"place", sight.smallest > 0 ? output::Json(places.at(sight.place).name) : output::Json()},
         {"argument", sight.argument}};
 }
 

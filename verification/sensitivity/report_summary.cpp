@@ -146,10 +146,8 @@ std::string smallest_of(const Sight* sight)
     if (sight == nullptr) {
         return "-";
     }
-    return sight->smallest > 0 ? suite::shown(sight->smallest)
-                                     .append(" (")
-                                     .append(mutants::places.at(sight->place).name)
-                                     .append(")")
+    return sight->smallest > 0
+               ? suite::shown(sight->smallest).append(" (").append(places.at(sight->place).name).append(")")
            : sight->sees ? "none of its own"
                          : "blind";
 }

@@ -41,8 +41,7 @@ bool reaches(const BaselineCase& c, Side side, Place place)
 
 bool has_coefficient(Place place)
 {
-    using mutants::Part;
-    const Part part = mutants::places.at(place).part;
+    const Part part = places.at(place).part;
     return part == Part::term || part == Part::vector || part == Part::factor || part == Part::nought;
 }
 
@@ -136,7 +135,7 @@ private:
         const bool flow = c.what.check->level >= suite::Level::transient;
         const bool of_equation = lists(*c.what.check, mutant.place) || (flow && !flow_tried);
         const bool relation = c.what.check->level == suite::Level::metamorphic;
-        const mutants::Kind kind = relation ? mutants::Kind::power : mutants::Kind::coefficient;
+        const Kind kind = relation ? Kind::power : Kind::coefficient;
         const bool affordable = c.result.seconds < costly_s || mutant.kind == kind;
         return is_own(c.what, mutant.side) && of_equation && affordable && c.result.seconds < dear_s;
     }
@@ -215,7 +214,7 @@ private:
     {
         std::vector<Place> seen;
         for (const MutantRow& row : result_.rows) {
-            if (is_red(row, sight) && row.mutant.kind == mutants::Kind::coefficient &&
+            if (is_red(row, sight) && row.mutant.kind == Kind::coefficient &&
                 is_own_coefficient(sight, row.mutant.place)) {
                 seen.push_back(row.mutant.place);
             }
@@ -233,7 +232,7 @@ private:
     {
         for (std::size_t k = 0; k < place_count; ++k) {
             const auto place = static_cast<Place>(k);
-            const Mutant mutant{place, sight.side, mutants::Kind::coefficient, mutant_size};
+            const Mutant mutant{place, sight.side, Kind::coefficient, mutant_size};
             if (is_own_coefficient(sight, place) && reaches(c, sight.side, place) &&
                 tried(c, mutant, turn).red()) {
                 return {place};
@@ -246,8 +245,7 @@ private:
     /// until one turns it red.
     static void look_everywhere(Sight& sight, const BaselineCase& c, Turn& turn)
     {
-        for (const mutants::Kind kind :
-             {mutants::Kind::off_by_one, mutants::Kind::sign, mutants::Kind::power}) {
+        for (const Kind kind : {Kind::off_by_one, Kind::sign, Kind::power}) {
             for (std::size_t k = 0; k < place_count && !sight.sees; ++k) {
                 const auto place = static_cast<Place>(k);
                 if (reaches(c, sight.side, place)) {
@@ -261,7 +259,7 @@ private:
     static void refine(int& finest_red, Sight& sight, const BaselineCase& c, Place place, Turn& turn)
     {
         const auto is_red = [&](int k) {
-            const Mutant mutant{place, sight.side, mutants::Kind::coefficient, std::ldexp(1, -k)};
+            const Mutant mutant{place, sight.side, Kind::coefficient, std::ldexp(1, -k)};
             return tried(c, mutant, turn).red();
         };
         if (finest_red >= finest || !is_red(finest_red + 1)) {

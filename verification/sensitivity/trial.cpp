@@ -39,7 +39,7 @@ Reached reached_places()
     Reached reached;
     for (std::size_t side = 0; side < reached.size(); ++side) {
         for (std::size_t k = 0; k < place_count; ++k) {
-            reached.at(side)[k] = mutants::visited.at(side).at(k);
+            reached.at(side)[k] = visited.at(side).at(k);
         }
     }
     return reached;
@@ -57,7 +57,7 @@ std::string run(const Case& c, const std::optional<Mutant>& mutant, double limit
     setitimer(ITIMER_PROF, &timer, nullptr); // SIGPROF ends the process
     analytic::gsl_return_errors();
     if (mutant) {
-        mutants::planted = *mutant;
+        planted = *mutant;
         suite::Quantity::first_failure_ends = true;
     }
     const suite::CheckResult result = suite::run_check(*c.check, *c.subject);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hook for mutants, in a build that has it: each kind of mutant does what it says, in one place of
 // one backend.
-#include "common/fault.hpp"
 #include "cuda/executor/lanes.hpp"
 #include "cuda/growth.hpp"
 #include "reference/boundary.hpp"
 #include "reference/growth.hpp"
+#include "verification/sensitivity/hook.hpp"
 
 #include <boost/test/unit_test.hpp>
 
@@ -15,11 +15,7 @@
 #include <string>
 
 using namespace aneurysm;
-using mutants::Kind;
-using mutants::Mutant;
-using mutants::Part;
-using mutants::planted;
-using mutants::Side;
+using namespace aneurysm::sensitivity;
 
 namespace
 {
@@ -43,84 +39,83 @@ public:
 
 BOOST_AUTO_TEST_CASE(without_a_mutant_nothing_changes)
 {
-    BOOST_TEST(reference::fault(eq22_radius, 0.4) == 0.4);
+    BOOST_TEST(in_reference(eq22_radius, 0.4) == 0.4);
     const Plant elsewhere(eq22_thinning, Kind::coefficient, 0.5);
-    BOOST_TEST(reference::fault(eq22_radius, 0.4) == 0.4);
+    BOOST_TEST(in_reference(eq22_radius, 0.4) == 0.4);
     const Plant other_side(eq22_radius, Kind::coefficient, 0.5, Side::device);
-    BOOST_TEST(reference::fault(eq22_radius, 0.4) == 0.4);
-    BOOST_TEST(device::fault(eq22_radius, 0.4) == 0.6, boost::test_tools::tolerance(1e-15));
+    BOOST_TEST(in_reference(eq22_radius, 0.4) == 0.4);
+    BOOST_TEST(in_device(eq22_radius, 0.4) == 0.6, boost::test_tools::tolerance(1e-15));
 }
 
 BOOST_AUTO_TEST_CASE(coefficient)
 {
     const Plant plant(eq22_radius, Kind::coefficient, 0.25);
-    BOOST_TEST(reference::fault(eq22_radius, 0.4) == 0.5);
-    BOOST_TEST(reference::fault(eq22_radius, -4.0F) == -5.0F);
-    BOOST_TEST((reference::fault(eq22_radius, Vec3{4, 8, -12}) == Vec3{5, 10, -15}));
+    BOOST_TEST(in_reference(eq22_radius, 0.4) == 0.5);
+    BOOST_TEST(in_reference(eq22_radius, -4.0F) == -5.0F);
+    BOOST_TEST((in_reference(eq22_radius, Vec3{4, 8, -12}) == Vec3{5, 10, -15}));
 }
 
 BOOST_AUTO_TEST_CASE(sign)
 {
     const Plant plant(eq22_radius, Kind::sign);
-    BOOST_TEST(reference::fault(eq22_radius, 0.4) == -0.4);
-    BOOST_TEST((reference::fault(eq22_radius, Vec3{1, 0, -2}) == Vec3{-1, 0, 2}));
+    BOOST_TEST(in_reference(eq22_radius, 0.4) == -0.4);
+    BOOST_TEST((in_reference(eq22_radius, Vec3{1, 0, -2}) == Vec3{-1, 0, 2}));
 }
 
 BOOST_AUTO_TEST_CASE(power)
 {
     const Plant plant(eq22_radius, Kind::power, 1);
-    BOOST_TEST(reference::fault(eq22_radius, 3.0) == 9);
-    BOOST_TEST(reference::fault(eq22_radius, -3.0F) == -9);
+    BOOST_TEST(in_reference(eq22_radius, 3.0) == 9);
+    BOOST_TEST(in_reference(eq22_radius, -3.0F) == -9);
 }
 
 BOOST_AUTO_TEST_CASE(power_of_a_vector_is_the_wrong_index)
 {
     const Plant plant(eq14_velocity, Kind::power, 1);
-    BOOST_TEST((reference::fault(eq14_velocity, Vec3{1, 2, 3}) == Vec3{3, 1, 2}));
+    BOOST_TEST((in_reference(eq14_velocity, Vec3{1, 2, 3}) == Vec3{3, 1, 2}));
 }
 
 BOOST_AUTO_TEST_CASE(dropped_is_what_the_part_can_do_without)
 {
     {
         const Plant plant(eq22_radius, Kind::dropped); // a factor
-        BOOST_TEST(reference::fault(eq22_radius, 0.4) == 1);
+        BOOST_TEST(in_reference(eq22_radius, 0.4) == 1);
     }
     {
         const Plant plant(eq22_thinning, Kind::dropped); // a term
-        BOOST_TEST(reference::fault(eq22_thinning, 0.4) == 0);
+        BOOST_TEST(in_reference(eq22_thinning, 0.4) == 0);
     }
     {
         const Plant plant(fig1_outwards, Kind::dropped); // a condition
-        BOOST_TEST(reference::fault(fig1_outwards, false));
-        BOOST_TEST(reference::fault(fig1_outwards, true));
+        BOOST_TEST(in_reference(fig1_outwards, false));
+        BOOST_TEST(in_reference(fig1_outwards, true));
     }
 }
 
 BOOST_AUTO_TEST_CASE(sign_of_a_condition_is_its_opposite)
 {
     const Plant plant(fig1_outwards, Kind::sign);
-    BOOST_TEST(reference::fault(fig1_outwards, false));
-    BOOST_TEST(!reference::fault(fig1_outwards, true));
+    BOOST_TEST(in_reference(fig1_outwards, false));
+    BOOST_TEST(!in_reference(fig1_outwards, true));
 }
 
 BOOST_AUTO_TEST_CASE(off_by_one_is_the_value_before)
 {
     const Plant plant(eq22_thinning, Kind::off_by_one);
-    BOOST_TEST(reference::fault(eq22_thinning, 1.0) == 1); // the first has none before
-    BOOST_TEST(reference::fault(eq22_thinning, 2.0) == 1);
-    BOOST_TEST(reference::fault(eq22_thinning, 3.0) == 2);
-    BOOST_TEST((reference::fault(eq22_thinning, Vec3{1, 2, 3}) == Vec3{1, 2, 3}));
-    BOOST_TEST((reference::fault(eq22_thinning, Vec3{4, 5, 6}) == Vec3{1, 2, 3}));
-    BOOST_TEST(reference::fault(eq22_thinning, 10) == 9); // a count
+    BOOST_TEST(in_reference(eq22_thinning, 1.0) == 1); // the first has none before
+    BOOST_TEST(in_reference(eq22_thinning, 2.0) == 1);
+    BOOST_TEST(in_reference(eq22_thinning, 3.0) == 2);
+    BOOST_TEST((in_reference(eq22_thinning, Vec3{1, 2, 3}) == Vec3{1, 2, 3}));
+    BOOST_TEST((in_reference(eq22_thinning, Vec3{4, 5, 6}) == Vec3{1, 2, 3}));
+    BOOST_TEST(in_reference(eq22_thinning, 10) == 9); // a count
 }
 
 BOOST_AUTO_TEST_CASE(off_by_one_of_lanes_is_the_neighbor_before)
 {
     const Plant plant(eq22_thinning, Kind::off_by_one, 0, Side::device);
     using Lanes = device::Lanes<double>;
-    device::fault(eq22_thinning, Lanes(device::Eight<double>{1, 2, 3, 4, 5, 6, 7, 8}));
-    const Lanes next =
-        device::fault(eq22_thinning, Lanes(device::Eight<double>{9, 10, 11, 12, 13, 14, 15, 16}));
+    in_device(eq22_thinning, Lanes(device::Eight<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+    const Lanes next = in_device(eq22_thinning, Lanes(device::Eight<double>{9, 10, 11, 12, 13, 14, 15, 16}));
     for (int l = 0; l < device::lane_count; ++l) {
         BOOST_TEST(next.v[l] == 8 + l);
     }
@@ -130,7 +125,7 @@ BOOST_AUTO_TEST_CASE(lanes_and_vectors_of_them)
 {
     const Plant plant(eq22_thinning, Kind::coefficient, 0.25, Side::device);
     using Lanes = device::Lanes<float>;
-    const auto v = device::fault(eq22_thinning, Vec3T<Lanes>{Lanes(4), Lanes(8), Lanes(12)});
+    const auto v = in_device(eq22_thinning, Vec3T<Lanes>{Lanes(4), Lanes(8), Lanes(12)});
     BOOST_TEST(v.x.v[7] == 5);
     BOOST_TEST(v.y.v[0] == 10);
     BOOST_TEST(v.z.v[3] == 15);
@@ -152,19 +147,19 @@ BOOST_AUTO_TEST_CASE(one_backend_at_a_time)
 
 BOOST_AUTO_TEST_CASE(what_is_computed_is_noticed)
 {
-    BOOST_TEST(!mutants::visited[0][eq23_cap]);
+    BOOST_TEST(!visited[0][eq23_cap]);
     reference::thickness_developed(0.1, 1.1, 0.001, 0.01);
-    BOOST_TEST(mutants::visited[0][eq23_cap]);
-    BOOST_TEST(!mutants::visited[1][eq23_cap]);
+    BOOST_TEST(visited[0][eq23_cap]);
+    BOOST_TEST(!visited[1][eq23_cap]);
 }
 
 BOOST_AUTO_TEST_CASE(places_have_names_of_their_own)
 {
     std::set<std::string_view> names;
-    for (const mutants::PlaceInfo& place : mutants::places) {
+    for (const PlaceInfo& place : places) {
         BOOST_TEST(names.insert(place.name).second, place.name);
         BOOST_TEST(!place.text.empty());
     }
-    BOOST_TEST(mutants::places[eq22_radius].name == "eq22_radius");
-    BOOST_CHECK(mutants::places[fig1_outwards].part == Part::condition);
+    BOOST_TEST(places[eq22_radius].name == "eq22_radius");
+    BOOST_CHECK(places[fig1_outwards].part == Part::condition);
 }

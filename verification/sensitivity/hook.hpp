@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Included by common/fault.hpp where ANEURYSM_FAULTS is defined: the mutant that is planted in this process,
-// and what it does to a value.
+// The hook by which `aneurysm verify --sensitivity` plants mutants in the formulas: the mutant that is planted in this
+// process, and what it does to a value. plant.py puts calls of it into a copy of the backends; their own sources have none.
 #pragma once
 
 #include "common/vec3.hpp"
@@ -10,13 +10,22 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 
-namespace aneurysm::mutants
+namespace aneurysm::sensitivity
 {
+
+/// A part of one equation's formula, or of the rules that come with it: a row of mutants.txt.
+enum Place : std::uint8_t {
+#define ANEURYSM_PLACE(name, part, backends, text) name, ///< text
+#include "verification/sensitivity/places.inc"
+#undef ANEURYSM_PLACE
+    place_count
+};
 
 /// What kind of part of a formula a place is; it decides which kinds of mutant make sense there.
 enum class Part : std::uint8_t {
@@ -48,7 +57,7 @@ struct Mutant {
     double size = 0;
 };
 
-enum class Backends : std::uint8_t { both, optimized };
+enum class Backends : std::uint8_t { both, cuda };
 
 struct PlaceInfo {
     std::string_view name;
@@ -58,7 +67,7 @@ struct PlaceInfo {
 };
 inline constexpr std::array<PlaceInfo, place_count> places{{
 #define ANEURYSM_PLACE(name, part, backends, text) {#name, Part::part, Backends::backends, text},
-    ANEURYSM_FAULT_PLACES(ANEURYSM_PLACE)
+#include "verification/sensitivity/places.inc"
 #undef ANEURYSM_PLACE
 }};
 
@@ -178,22 +187,16 @@ T hooked(Side side, Place place, const T& x)
     return changed(planted, x);
 }
 
-} // namespace aneurysm::mutants
-
-namespace aneurysm::reference
-{
+/// What a formula goes on with in the place of `value`; what is computed while compiling has no mutants.
 template <class T>
-constexpr T fault(Place place, const T& value)
+constexpr T in_reference(Place place, const T& value)
 {
-    return std::is_constant_evaluated() ? value : mutants::hooked(mutants::Side::reference, place, value);
+    return std::is_constant_evaluated() ? value : hooked(Side::reference, place, value);
 }
-} // namespace aneurysm::reference
-
-namespace aneurysm::device
-{
 template <class T>
-constexpr T fault(Place place, const T& value)
+constexpr T in_device(Place place, const T& value)
 {
-    return std::is_constant_evaluated() ? value : mutants::hooked(mutants::Side::device, place, value);
+    return std::is_constant_evaluated() ? value : hooked(Side::device, place, value);
 }
-} // namespace aneurysm::device
+
+} // namespace aneurysm::sensitivity
