@@ -45,16 +45,16 @@ private:
         }
         if (in_breach(f, x)) {
             f.kind[id] = Kind::escaped;
-            f.event[id] += escaped;
+            f.event[id] += bit(escaped);
             return;
         }
-        f.event[id] += collided;
+        f.event[id] += bit(collided);
         for (int k = 0; k < guards::collision_attempts && d.value > 0; ++k) {
             const Real slope = length(d.gradient);
             collide(x, v, d.value / slope, d.gradient / slope);
             d = f.c.vessel.wall(x, R);
         }
-        f.event[id] += d.value > guards::outside<Real> * f.c.dx ? outside : 0;
+        f.event[id] += d.value > guards::outside<Real> * f.c.dx ? bit(outside) : 0;
     }
 };
 
@@ -72,7 +72,7 @@ struct RecycleEscaped {
         const Vec3T<Real> x = f.position[id].vector();
         if (is_beyond(f, x, -f.c.kernel.support()) || length(x - breach_center(f)) > f.c.recycle_distance) {
             f.kind[id] = Kind::reserve;
-            f.event[id] = recycled;
+            f.event[id] = bit(recycled);
         }
     }
 };
@@ -98,7 +98,7 @@ struct CountKinds {
     ANEURYSM_HD KindCounts operator()(Index id) const
     {
         return {f.kind[id] == Kind::fluid ? 1 : 0, f.kind[id] != Kind::reserve ? 1 : 0,
-                f.event[id] == recycled ? 1 : 0};
+                f.event[id] == bit(recycled) ? 1 : 0};
     }
 };
 

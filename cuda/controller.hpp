@@ -49,18 +49,23 @@ ANEURYSM_HD Vec3T<Real> behind(const Fields<Real>& f, Index k)
     return static_cast<Real>(opening_layers) * f.c.dx * opening(f, k).outward;
 }
 
-/// What happened to a particle in a step; an event word is a sum of these.
+/// What may happen to a particle in a step; its event word has a bit for each.
 enum Event : Index {
-    recycled = 1,
-    entered_at_inlet = 2,
-    entered_at_outlet = 4,
-    left_at_inlet = 8,
-    left_at_outlet = 16,
-    escaped = 32,
-    missed = 64,
-    collided = 128,
-    outside = 256
+    recycled,
+    entered_at_inlet,
+    entered_at_outlet,
+    left_at_inlet,
+    left_at_outlet,
+    escaped,
+    missed,
+    collided,
+    outside,
+    event_count
 };
+ANEURYSM_HD constexpr Index bit(Event event)
+{
+    return 1 << event;
+}
 
 /// Blood before the outlets, to the probe's depth.
 struct OutletProbe {
@@ -276,7 +281,7 @@ struct MarkExchange {
             const Real beyond = opening(f, k).beyond(f.position[id].vector());
             if (beyond > static_cast<Real>(opening_layers) * f.c.dx) {
                 f.kind[id] = Kind::reserve;
-                f.event[id] += recycled;
+                f.event[id] += bit(recycled);
             } else if (beyond <= 0) {
                 if (is_taken(f, id)) {
                     f.position[id] = row(f.position[id].vector() + behind(f, k), Real(0));
@@ -314,9 +319,9 @@ struct EnterArtery {
         const Index k = open_end(kind);
         f.kind[id] = Kind::fluid;
         f.pressure[id] = static_cast<Real>(unset_pressure);
-        f.event[id] += k == 0 ? entered_at_inlet : entered_at_outlet;
+        f.event[id] += bit(k == 0 ? entered_at_inlet : entered_at_outlet);
         if (f.entry_rank[id] >= f.rank[f.c.particles]) {
-            f.event[id] += missed;
+            f.event[id] += bit(missed);
             return;
         }
         const Index next = f.reserve[f.entry_rank[id]];
@@ -339,18 +344,18 @@ struct CrossOpenings {
         if (is_beyond(f, x, Real(0))) {
             const Index k = nearest_tube(f, x);
             f.kind[id] = ghost_kind(k);
-            f.event[id] += k == 0 ? left_at_inlet : left_at_outlet;
+            f.event[id] += bit(k == 0 ? left_at_inlet : left_at_outlet);
         }
     }
 };
 
 /// Events of a step, counted.
 struct EventCounts {
-    Index counts[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0}; ///< in the order of Event
+    Index counts[event_count] = {}; ///< by Event
 
     ANEURYSM_HD EventCounts& operator+=(const EventCounts& b)
     {
-        for (int e = 0; e < 9; ++e) {
+        for (int e = 0; e < event_count; ++e) {
             counts[e] += b.counts[e];
         }
         return *this;
@@ -363,7 +368,7 @@ struct CountEvents {
     ANEURYSM_HD EventCounts operator()(Index id) const
     {
         EventCounts c;
-        for (int e = 0; e < 9; ++e) {
+        for (int e = 0; e < event_count; ++e) {
             c.counts[e] = f.event[id] >> e & 1;
         }
         return c;
@@ -377,15 +382,15 @@ struct KeepLedger {
     {
         const Index* c = events->counts;
         Ledger& l = scene->ledger;
-        l.recycled += c[0];
-        l.inlet_in += c[1];
-        l.outlet_in += c[2];
-        l.inlet_out += c[3];
-        l.outlet_out += c[4];
-        l.escaped += c[5];
-        l.missed += c[6];
-        scene->record.collisions += c[7];
-        scene->record.outside = c[8];
+        l.recycled += c[recycled];
+        l.inlet_in += c[entered_at_inlet];
+        l.outlet_in += c[entered_at_outlet];
+        l.inlet_out += c[left_at_inlet];
+        l.outlet_out += c[left_at_outlet];
+        l.escaped += c[escaped];
+        l.missed += c[missed];
+        scene->record.collisions += c[collided];
+        scene->record.outside = c[outside];
     }
 };
 

@@ -139,7 +139,7 @@ struct Fields {
     Kind* kind = nullptr;
     Real* density = nullptr;         ///< [kg/m^3]
     Real* solved_pressure = nullptr; ///< [flow steps * particles] [Pa]
-    Index* event = nullptr;          ///< what the controller did, a sum of Event
+    Index* event = nullptr;          ///< what the controller did, a bit for each Event
 
     // bodies: particles, sorted; the null body; the wall's ghosts, by cell
     Row<Real>* body_position = nullptr; ///< w: mass [m, kg]
@@ -179,7 +179,7 @@ struct Fields {
     Index pattern_begin[4] = {0, 0, 0, 0};
     Index* flag = nullptr;       ///< [particles]
     Index* rank = nullptr;       ///< [particles + 1]
-    Index* entering = nullptr;   ///< [particles] 1 + its open end
+    Index* entering = nullptr;   ///< [particles] 1: becomes blood; shares its memory with sorted_key
     Index* entry_rank = nullptr; ///< [particles + 1]
     Index* reserve = nullptr;    ///< [particles] ids
 

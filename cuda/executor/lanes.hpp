@@ -5,8 +5,10 @@
 //
 //     Lane                   which lanes this call stands for: all eight (CPU), its own (GPU)
 //     Lanes<T>               a number for each lane, with + - * / < >= !=, sqrt and select
-//     Mask                   a truth value for each lane, with &
+//     Mask                   a truth value for each lane, with & and |
+//     widen                  to double
 //     load, load_rows        eight neighbors in memory
+//     store                  to memory, eight in a row
 //     gather, gather_rows    from eight places
 //     sum                    ((0+4)+(2+6))+((1+5)+(3+7))
 //     first                  of lanes that are all equal

@@ -41,6 +41,10 @@ ANEURYSM_HD inline Mask operator&(const Mask& a, const Mask& b)
 {
     return Mask(a.v && b.v);
 }
+ANEURYSM_HD inline Mask operator|(const Mask& a, const Mask& b)
+{
+    return Mask(a.v || b.v);
+}
 template <class T>
 ANEURYSM_HD Lanes<T> select(const Mask& m, const Lanes<T>& a, const Lanes<T>& b)
 {
