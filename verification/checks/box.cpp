@@ -128,4 +128,34 @@ analytic::Cloud Box::cloud(const SimulationState& state, const std::vector<doubl
     return c;
 }
 
+void RecordedRates::compare(Quantity& quantity, const FrameRecord& record, const std::string& where) const
+{
+    quantity.within(record.divergence_mean, mean, allowed, where + "mean");
+    quantity.within(record.divergence_max, largest, allowed, where + "largest");
+}
+
+RecordedRates recorded_rates(const analytic::Cloud& cloud, double rho_0, double u,
+                             analytic::Estimate (*rate_of)(const analytic::Cloud&, std::size_t))
+{
+    std::vector<std::size_t> free;
+    for (std::size_t i = 0; i < cloud.mass.size(); ++i) {
+        if (cloud.free[i] && cloud.mass[i] > 0) {
+            free.push_back(i);
+        }
+    }
+    const auto n = static_cast<double>(free.size());
+    RecordedRates rates;
+    double error = 0;
+    for (const std::size_t i : free) {
+        const analytic::Estimate pairs = pair_density_rate(cloud, i);
+        const analytic::Estimate rate = rate_of != nullptr ? rate_of(cloud, i) : pairs;
+        rates.mean += std::abs(rate.value) / rho_0 / n;
+        rates.largest = std::max(rates.largest, std::abs(rate.value) / rho_0);
+        const double own = rate_of != nullptr ? rate.error : 0;
+        error = std::max(error, (own + both(pairs.error, u)) / rho_0);
+    }
+    rates.allowed = error + rounding(n) * rates.largest; // sums are double
+    return rates;
+}
+
 } // namespace aneurysm::checks

@@ -9,6 +9,7 @@
 #include "verification/checks/vectors.hpp"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace aneurysm::checks
@@ -62,6 +63,19 @@ private:
     int cells_;
     analytic::Medium medium_;
 };
+
+/// Mean and largest |Drho/Dt|/rho_0 of a cloud's free particles, as a frame records them [1/s].
+struct RecordedRates {
+    double mean = 0;
+    double largest = 0;
+    double allowed = 0; ///< error of either: the sums' bounds for oracle and subject, the mean's additions
+
+    void compare(Quantity& quantity, const FrameRecord& record, const std::string& where = {}) const;
+};
+
+/// By the sum (2) over all pairs, or by another oracle with an error of its own; `u`: roundoff of the subject.
+RecordedRates recorded_rates(const analytic::Cloud& cloud, double rho_0, double u,
+                             analytic::Estimate (*rate_of)(const analytic::Cloud&, std::size_t) = nullptr);
 
 /// data/scenarios/verify_box.json with this kernel.
 Scenario box_scenario(KernelName kernel = KernelName::cubic_spline, double ratio = 1);

@@ -24,11 +24,11 @@ Scenario coasting(Scenario s)
     return s;
 }
 
-/// Mean and largest |Drho/Dt|/rho_0 as a frame records them, against both oracles of (2).
-class RecordedRates
+/// A frame's rates against both oracles of (2).
+class BothOracles
 {
 public:
-    explicit RecordedRates(Probe& probe)
+    explicit BothOracles(Probe& probe)
         : roundoff_(probe.roundoff()),
           pairs_(probe.quantity("mean and largest |Drho/Dt|/rho_0 over all pairs [1/s]", Source::rounding,
                                 "the bound of the sum (2), (n + 32 + 8 L/h) u of the sum of |terms|, for "
@@ -38,38 +38,15 @@ public:
     {
     }
 
-    /// `cloud` of the frame's start, its free particles first.
+    /// `cloud` of the frame's start.
     void compare(const FrameRecord& record, const analytic::Cloud& cloud, double rho_0,
                  const std::string& where)
     {
-        compare(pairs_, record, cloud, rho_0, analytic::pair_density_rate, where);
-        compare(slope_, record, cloud, rho_0, analytic::pair_density_slope, where);
+        recorded_rates(cloud, rho_0, roundoff_).compare(pairs_, record, where);
+        recorded_rates(cloud, rho_0, roundoff_, analytic::pair_density_slope).compare(slope_, record, where);
     }
 
 private:
-    void compare(Quantity& quantity, const FrameRecord& record, const analytic::Cloud& cloud, double rho_0,
-                 analytic::Estimate (*rate_of)(const analytic::Cloud&, std::size_t),
-                 const std::string& where) const
-    {
-        double sum = 0;
-        double largest = 0;
-        double error = 0;
-        double n = 0;
-        for (std::size_t i = 0; i < cloud.mass.size(); ++i) {
-            if (cloud.free[i] && cloud.mass[i] > 0) {
-                const analytic::Estimate rate = rate_of(cloud, i);
-                sum += std::abs(rate.value) / rho_0;
-                largest = std::max(largest, std::abs(rate.value) / rho_0);
-                error = std::max(error,
-                                 (rate.error + both(pair_density_rate(cloud, i).error, roundoff_)) / rho_0);
-                ++n;
-            }
-        }
-        const double allowed = error + rounding(n) * largest;
-        quantity.within(record.divergence_mean, sum / n, allowed, where + ", mean");
-        quantity.within(record.divergence_max, largest, allowed, where + ", largest");
-    }
-
     double roundoff_;
     Quantity& pairs_;
     Quantity& slope_;
@@ -77,27 +54,28 @@ private:
 
 void cloud(Probe& probe)
 {
-    RecordedRates rates(probe);
+    BothOracles oracles(probe);
     for (const KernelName kernel : both_kernels) {
         for (const double ratio : {1.0, 1.3}) {
             Box box(probe, coasting(box_scenario(kernel, ratio)));
             box.disturb(0.25, 0.5, 2450);
             const auto flow = probe.simulate(box.scenario(), box.state());
             const FrameRecord record = flow->advance();
-            rates.compare(record, box.cloud(box.state(), flow->density()), box.medium().density,
-                          kernel_text(kernel) + "h/dx " + std::to_string(ratio).substr(0, 3));
+            oracles.compare(record, box.cloud(box.state(), flow->density()), box.medium().density,
+                            kernel_text(kernel) + "h/dx " + std::to_string(ratio).substr(0, 3) + ", ");
         }
     }
 }
 
 void walls(Probe& probe)
 {
-    RecordedRates rates(probe);
+    BothOracles oracles(probe);
     const Scenario s = coasting(plates());
     const SimulationState before = disturbed(probe, s);
     const auto flow = probe.simulate(s, before);
     const FrameRecord record = flow->advance();
-    rates.compare(record, cloud_of(s, before, flow->density()), s.fluid.density_kg_m3, "between the plates");
+    oracles.compare(record, cloud_of(s, before, flow->density()), s.fluid.density_kg_m3,
+                    "between the plates, ");
 }
 
 /// A drop moves as a solid: v_i - v_j is across r_i - r_j, so that every term is 0. Where it expands, none is.
@@ -109,7 +87,7 @@ void drop(Probe& probe)
     Quantity& solid =
         probe.quantity("largest |Drho/Dt|/rho_0 of a drop that turns and travels [1/s]", Source::rounding,
                        "the bound of the sum (2) over all pairs, for oracle and subject");
-    RecordedRates expanding(probe);
+    BothOracles expanding(probe);
     for (const KernelName kernel : both_kernels) {
         Box box(probe, coasting(box_scenario(kernel)));
         box.disturb(0.25, 0, 2451);

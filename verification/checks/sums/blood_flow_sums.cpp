@@ -98,6 +98,31 @@ void cloud_density(Probe& probe)
     }
 }
 
+/// Pressure, friction and gravity of about the same size.
+Scenario with_all_forces(Scenario s)
+{
+    s.time.frame_s = 0x1p-12;
+    s.fluid.viscosity_pa_s = 64;
+    s.fluid.gravity_m_s2 = {250, -430, 610}; // dt g is as large as v
+    s.pressure.model = PressureModel::eos;
+    s.pressure.stiffness_m2_s2 = 256;
+    return s;
+}
+
+void compare_motion(const Probe& probe, Quantity& motion, const FrameRecord& record, double mass,
+                    const std::vector<Vec3>& velocity, const std::string& where)
+{
+    double twice_energy = 0;
+    double speed = 0;
+    for (const Vec3& v : velocity) {
+        twice_energy += mass * dot(v, v);
+        speed = std::max(speed, length(v));
+    }
+    motion.within(2 * record.kinetic_energy / twice_energy, 1,
+                  2 * rounding(static_cast<double>(velocity.size())) + probe.gamma(16), where + "energy");
+    motion.within(record.speed_max / speed, 1, probe.gamma(8), where + "largest speed");
+}
+
 /// Everything at once: equation of state, (6), (7), g, (15), the step, and (2) of the new velocity.
 void cloud_frame(Probe& probe)
 {
@@ -117,12 +142,7 @@ void cloud_frame(Probe& probe)
                        "gamma_16 of the mass and of a speed squared, gamma_2N of the additions in double");
     for (const KernelName kernel : kernels) {
         for (const double ratio : ratios) {
-            Scenario s = box_scenario(kernel, ratio);
-            s.time.frame_s = 0x1p-12;
-            s.fluid.viscosity_pa_s = 64;
-            s.fluid.gravity_m_s2 = {250, -430, 610}; // dt g is as large as v
-            s.pressure.model = PressureModel::eos;
-            s.pressure.stiffness_m2_s2 = 256;
+            const Scenario s = with_all_forces(box_scenario(kernel, ratio));
             const double rho_0 = s.fluid.density_kg_m3;
             const double dt = s.time.frame_s;
             Box box(probe, s);
@@ -134,7 +154,6 @@ void cloud_frame(Probe& probe)
                 cloud.pressure[i] = s.pressure.stiffness_m2_s2 * (cloud.density[i] - rho_0);
             }
             auto after = cloud;
-            double speed = 0;
             for (std::size_t i = 0; i < box.size(); ++i) {
                 const auto pressing = analytic::pair_pressure_force(cloud, i);
                 const auto viscous = analytic::pair_viscosity_force(cloud, s.fluid.viscosity_pa_s, i);
@@ -148,7 +167,6 @@ void cloud_frame(Probe& probe)
                 const Vec3 v = flow->state().particles.velocity[i];
                 velocity.within(v, v_0 + dt * a, allowed, where);
                 after.velocity[i] = to_eigen(v);
-                speed = std::max(speed, length(v));
                 const Vec3 way =
                     flow->state().particles.position[i] - box.state().particles.position[i] - dt * v;
                 for (const double d : {way.x, way.y, way.z}) {
@@ -156,28 +174,9 @@ void cloud_frame(Probe& probe)
                                     where);
                 }
             }
-            double twice_energy = 0;
-            for (const Vec3& v : flow->state().particles.velocity) {
-                twice_energy += box.medium().mass * dot(v, v);
-            }
-            motion.within(2 * record.kinetic_energy / twice_energy, 1,
-                          2 * rounding(static_cast<double>(box.size())) + probe.gamma(16),
-                          label(kernel, ratio, ", energy"));
-            motion.within(record.speed_max / speed, 1, probe.gamma(8),
-                          label(kernel, ratio, ", largest speed"));
-            double mean = 0;
-            double largest = 0;
-            double error = 0;
-            for (std::size_t i = 0; i < box.size(); ++i) {
-                const auto rate = analytic::pair_density_rate(after, i);
-                mean += std::abs(rate.value) / rho_0 / static_cast<double>(box.size());
-                largest = std::max(largest, std::abs(rate.value) / rho_0);
-                error = std::max(error, both(rate.error, u) / rho_0);
-            }
-            const double rounded = rounding(static_cast<double>(box.size())) * largest; // sums are double
-            divergence.within(record.divergence_mean, mean, error + rounded, label(kernel, ratio, ", mean"));
-            divergence.within(record.divergence_max, largest, error + rounded,
-                              label(kernel, ratio, ", largest"));
+            compare_motion(probe, motion, record, box.medium().mass, flow->state().particles.velocity,
+                           label(kernel, ratio, ", "));
+            recorded_rates(after, rho_0, u).compare(divergence, record, label(kernel, ratio, ", "));
         }
     }
 }

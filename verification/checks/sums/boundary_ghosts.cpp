@@ -60,18 +60,7 @@ void by_state(Probe& probe)
         }
         after.velocity[i] = to_eigen(v_0 + dt * a);
     }
-    double mean = 0;
-    double largest = 0;
-    double error = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const auto rate = analytic::pair_density_rate(after, i);
-        mean += std::abs(rate.value) / rho_0 / static_cast<double>(n);
-        largest = std::max(largest, std::abs(rate.value) / rho_0);
-        error = std::max(error, both(rate.error, u) / rho_0);
-    }
-    const double allowed = error + rounding(static_cast<double>(n)) * largest;
-    divergence.within(record.divergence_mean, mean, allowed, "mean");
-    divergence.within(record.divergence_max, largest, allowed, "largest");
+    recorded_rates(after, rho_0, u).compare(divergence, record);
 }
 
 /// One iteration of (3) from known pressures: the pressures' acceleration, (2), the DFSPH factor.
