@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the tests share. A check is written as a predicate over the candidate function, so that a test can
-// assert that it holds for the reference and fails for the reference with a planted fault.
+// assert that it holds for the reference and fails for a mutant of it.
 #pragma once
 
 #include "analytic/gsl.hpp"
@@ -45,7 +45,7 @@ inline double distance(const Vec3& a, const Vec3& b)
     return std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
 }
 
-/// The usual planted fault: `function`, its result off by a relative amount.
+/// The usual mutant: `function`, its result off by a relative amount.
 template <class Function>
 auto off_by(double relative, Function function)
 {

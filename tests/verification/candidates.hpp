@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Candidates for the comparisons: the reference itself, rounded to float or with planted faults.
+// Candidates for the comparisons: the reference itself, rounded to float or its mutants.
 #pragma once
 
 #include "reference/simulation.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The comparison in lockstep: the reference, rounded to float, passes; with any planted fault it doesn't.
+// The comparison in lockstep: the reference, rounded to float, passes; a mutant of it doesn't.
 #include "output/columns.hpp"
 #include "tests/support.hpp"
 #include "tests/verification/candidates.hpp"

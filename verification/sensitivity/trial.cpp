@@ -25,7 +25,7 @@ constexpr rlim_t most_memory = rlim_t{4} << 30; ///< of a child; a mutant may as
 
 [[noreturn]] void fail(const char* what)
 {
-    throw Error("a process for a planted fault", std::string(what) + ": " + std::strerror(errno),
+    throw Error("a process for a mutant", std::string(what) + ": " + std::strerror(errno),
                 "needed: room for another process");
 }
 

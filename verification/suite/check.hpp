@@ -63,7 +63,7 @@ class FirstFailure : public std::runtime_error
 class Quantity
 {
 public:
-    /// Whether a comparison that fails throws FirstFailure: where a fault is planted, all that is asked is
+    /// Whether a comparison that fails throws FirstFailure: where a mutant is planted, all that is asked is
     /// whether any fails. Set it while no check runs.
     static inline bool first_failure_ends = false;
 
