@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Section 3.1: blood flow by smoothed particle hydrodynamics, (1), (2), (4)-(7), (15) and the equation of
-// state. Sums run over the neighbors j of body i, which include i itself; `Sum` is double / Vec3, or
-// BoundedSum / BoundedVectorSum of reference/sum.hpp for the rounding bound.
+// state. Sums run over the neighbors j of body i, which include i itself.
 #pragma once
 
 #include "reference/neighbors.hpp"
-#include "reference/sum.hpp"
 
 #include <span>
 
@@ -23,10 +21,10 @@ inline Vec3 momentum_force(double rho, const Vec3& g, const Vec3& F_viscosity, c
 /// Eq. (2)  Drho/Dt = -rho div v, as the time derivative of (5):
 ///
 ///     Drho_i/Dt = sum_j m_j (v_i - v_j) . grad W_ij                                           [kg/(m^3 s)]
-template <class Sum = double>
-Sum density_rate(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const Vec3> v, std::size_t i)
+inline double density_rate(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const Vec3> v,
+                           std::size_t i)
 {
-    Sum rate{};
+    double rate = 0;
     for (const Neighbor& n : neighbors) {
         rate += b.mass[n.j] * dot(v[i] - v[n.j], n.grad_W);
     }
@@ -36,11 +34,10 @@ Sum density_rate(const Bodies& b, std::span<const Neighbor> neighbors, std::span
 /// Eq. (4)  A field at any point r from its values A_j at the bodies:
 ///
 ///     A(r) = sum_j A_j m_j / rho_j W(r - r_j, h)                                              [A]
-template <class Sum = double>
-Sum interpolate(const Bodies& b, std::span<const double> rho, std::span<const double> A, const Kernel& W,
-                const Vec3& r)
+inline double interpolate(const Bodies& b, std::span<const double> rho, std::span<const double> A,
+                          const Kernel& W, const Vec3& r)
 {
-    Sum value{};
+    double value = 0;
     for (std::size_t j = 0; j < b.size(); ++j) {
         if (b.role[j] != Role::absent) {
             const double w = W.value(length(r - b.position[j]));
@@ -53,10 +50,9 @@ Sum interpolate(const Bodies& b, std::span<const double> rho, std::span<const do
 /// Eq. (5)  Density by summation:
 ///
 ///     rho_i = sum_j m_j W_ij                                                                  [kg/m^3]
-template <class Sum = double>
-Sum density(const Bodies& b, std::span<const Neighbor> neighbors)
+inline double density(const Bodies& b, std::span<const Neighbor> neighbors)
 {
-    Sum rho{};
+    double rho = 0;
     for (const Neighbor& n : neighbors) {
         rho += b.mass[n.j] * n.W;
     }
@@ -77,11 +73,10 @@ inline double equation_of_state(double kappa, double rho, double rho_0)
 ///
 /// A wall's or the inlet's ghost has its neighbor's pressure p_i.
 /// The printed mean makes this half of -grad p.
-template <class Sum = Vec3>
-Sum pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
-                   std::span<const double> p, std::size_t i)
+inline Vec3 pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
+                           std::span<const double> p, std::size_t i)
 {
-    Sum force{};
+    Vec3 force;
     for (const Neighbor& n : neighbors) {
         const bool mirrors = b.role[n.j] == Role::mirror || b.role[n.j] == Role::slip;
         const double p_j = mirrors ? p[i] : p[n.j];
@@ -95,11 +90,10 @@ Sum pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, std::sp
 ///     F_i^viscosity = mu sum_j m_j (v_j - v_i) / rho_j lap W_ij                               [N/m^3]
 ///
 /// over all j but the ghosts of a wall that lets blood slip.
-template <class Sum = Vec3>
-Sum viscosity_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
-                    double mu, std::size_t i)
+inline Vec3 viscosity_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
+                            double mu, std::size_t i)
 {
-    Sum force{};
+    Vec3 force;
     for (const Neighbor& n : neighbors) {
         if (b.role[n.j] == Role::slip) {
             continue;

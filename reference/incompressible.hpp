@@ -33,11 +33,10 @@ struct IncompressibleReport {
 /// below is a symmetric problem. A ghost adds its neighbor's pressure once (p_j = 0):
 ///
 ///     a_i = -sum_j m_j (p_i + p_j) / rho_0^2 grad W_ij                                        [m/s^2]
-template <class Sum = Vec3>
-Sum pressure_acceleration(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> p,
-                          double rho_0, std::size_t i)
+inline Vec3 pressure_acceleration(const Bodies& b, std::span<const Neighbor> neighbors,
+                                  std::span<const double> p, double rho_0, std::size_t i)
 {
-    Sum a{};
+    Vec3 a;
     for (const Neighbor& n : neighbors) {
         const double p_j = b.free(n.j) ? p[n.j] : 0;
         a += -b.mass[n.j] * (p[i] + p_j) / (rho_0 * rho_0) * n.grad_W;
