@@ -10,7 +10,7 @@ namespace aneurysm::device
 
 /// The piston, held-back outlets, Fig. 1, and the way out through the breach.
 template <class Real>
-struct Contain {
+struct ContainBlood {
     Fields<Real> f;
 
     ANEURYSM_HD void operator()(Index id) const

@@ -140,7 +140,7 @@ struct RecordDivergence {
 
 /// Moves all that is not in the reserve, and writes the step's results back by id.
 template <class Real>
-struct Move {
+struct MoveParticles {
     Fields<Real> f;
 
     ANEURYSM_HD void operator()(Index s) const

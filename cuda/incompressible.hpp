@@ -172,7 +172,7 @@ struct PrepareSolve {
 
 /// a(p) and v = v* + dt a.
 template <class Real, bool kept>
-struct Accelerate {
+struct AccelerateByPressure {
     Fields<Real> f;
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
@@ -249,7 +249,7 @@ struct BeginSolve {
 };
 
 /// Whether (3) is met, and if not, the momentum of the next iteration.
-struct Decide {
+struct CheckSolve {
     Scene* scene;
     const SolveSums* sums;
     double rho_0;
@@ -279,7 +279,7 @@ struct Decide {
 
 /// One iteration: a step along the residual, then the momentum.
 template <class Real>
-struct Iterate {
+struct IteratePressure {
     Fields<Real> f;
 
     ANEURYSM_HD void operator()(Index i) const

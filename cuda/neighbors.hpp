@@ -63,7 +63,7 @@ ANEURYSM_INLINE void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, 
 /// Free and ghost neighbors of sorted particle i, itself left out, in the order of bodies: counted, or
 /// written into its lists.
 template <class Real, bool fill, bool periodic>
-struct Search {
+struct FindNeighbors {
     Fields<Real> f;
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const

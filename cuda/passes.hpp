@@ -68,9 +68,9 @@ public:
         executor_->mark("density");
         apply_forces(f);
         solve_pressure(f);
-        executor_->for_each(n_, Move<Real>{f});
+        executor_->for_each(n_, MoveParticles<Real>{f});
         record(f);
-        executor_->for_each(n_, Contain<Real>{f});
+        executor_->for_each(n_, ContainBlood<Real>{f});
         executor_->mark("walls");
         exchange(f);
         reduce(n_, CountEvents<Real>{f}, sums_.events);
@@ -101,7 +101,7 @@ public:
         executor_->for_each(free_of(f), PrepareSolve<Real>{f});
         evaluate(f);
         executor_->repeat_while(&f.scene->solving, [&] {
-            executor_->for_each(free_of(f), Iterate<Real>{f});
+            executor_->for_each(free_of(f), IteratePressure<Real>{f});
             evaluate(f);
         });
     }
@@ -134,11 +134,11 @@ private:
     template <bool periodic>
     void make_lists(const F& f)
     {
-        executor_->for_each_group(free_of(f), Search<Real, false, periodic>{f});
+        executor_->for_each_group(free_of(f), FindNeighbors<Real, false, periodic>{f});
         executor_->scan(free_of(f), f.free.blocks, f.free.begin);
         executor_->scan(free_of(f), f.ghosts.blocks, f.ghosts.begin);
         executor_->once(CheckLists<Real>{f});
-        executor_->for_each_group(free_of(f), Search<Real, true, periodic>{f});
+        executor_->for_each_group(free_of(f), FindNeighbors<Real, true, periodic>{f});
     }
 
     void drive_openings(const F& f)
@@ -180,15 +180,16 @@ private:
     void evaluate(const F& f)
     {
         if (f.gradient != nullptr) {
-            executor_->for_each_group(free_of(f), Accelerate<Real, true>{f});
+            executor_->for_each_group(free_of(f), AccelerateByPressure<Real, true>{f});
             executor_->for_each_group(free_of(f), Rates<Real, true>{f});
         } else {
-            executor_->for_each_group(free_of(f), Accelerate<Real, false>{f});
+            executor_->for_each_group(free_of(f), AccelerateByPressure<Real, false>{f});
             executor_->for_each_group(free_of(f), Rates<Real, false>{f});
         }
         reduce(free_of(f), Residuals<Real>{f}, sums_.solve);
-        executor_->once(Decide{f.scene, sums_.solve.get(), scenario_->fluid.density_kg_m3,
-                               scenario_->pressure.tolerance_per_s, scenario_->pressure.max_tolerance_per_s});
+        executor_->once(CheckSolve{f.scene, sums_.solve.get(), scenario_->fluid.density_kg_m3,
+                                   scenario_->pressure.tolerance_per_s,
+                                   scenario_->pressure.max_tolerance_per_s});
     }
 
     void record(const F& f)

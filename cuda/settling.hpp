@@ -86,7 +86,7 @@ private:
             find_densities();
             passes_->solve_incompressibility(fields(), settling.density_correction, iterations, true);
             executor_->for_each(n_, Displaced<Real>{fields(), true});
-            executor_->for_each(n_, Contain<Real>{fields()});
+            executor_->for_each(n_, ContainBlood<Real>{fields()});
             passes_->exchange(fields());
             executor_->for_each(n_, Rest<Real>{fields()});
         }

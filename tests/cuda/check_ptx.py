@@ -14,7 +14,7 @@ from collections import namedtuple
 from pathlib import Path
 
 ARCHITECTURES = ("80", "90")
-HOT = re.compile(r"run_group<\S*\b(Accelerate|Rates)<")
+HOT = re.compile(r"run_group<\S*\b(AccelerateByPressure|Rates)<")
 
 INSTRUCTION = re.compile(r"^\s*(?:@!?%\w+\s+)?([a-z]\w*(?:\.[\w:]+)*)\s", re.MULTILINE)
 FLOAT = re.compile(r"\.(b?f16x?2?|tf32|f32x?2?|f64)\b")
@@ -122,7 +122,7 @@ FAULTS = [
 SOUND = "a[0] = a[1] / a[2] + sqrtf(a[3]) * a[4]; d[0] = d[1] / d[2] - sqrt(d[3]); atomicAdd(n, 1);"
 # 80 doubles at once don't fit into the 64 registers that a thread of 1,024 has.
 SPILLING = """
-template <class Real> struct Accelerate {};
+template <class Real> struct AccelerateByPressure {};
 template <class F> __global__ void __launch_bounds__(1024) run_group(F, double* d, int n)
 {
     double v[80];
@@ -130,7 +130,7 @@ template <class F> __global__ void __launch_bounds__(1024) run_group(F, double* 
     __syncthreads();
     for (int k = 0; k < 80; ++k) d[k * n + threadIdx.x] = v[k] / v[79 - k];
 }
-template __global__ void run_group(Accelerate<double>, double*, int);
+template __global__ void run_group(AccelerateByPressure<double>, double*, int);
 """
 
 
