@@ -31,6 +31,20 @@ void for_each_lattice_neighbor(double dx, double support, const Visit& visit)
     }
 }
 
+/// Imaginary part of sum_j grad W_j exp(i k.r_j). Of a neighbor and its mirror images only the sine of the slope's own
+/// direction, times the cosines of the other two, doesn't cancel.
+Vec3 lattice_symbol(const std::vector<std::pair<Vec3, Vec3>>& slopes, const Vec3& k)
+{
+    Vec3 symbol;
+    for (const auto& [x, slope] : slopes) {
+        const Vec3 sine{std::sin(k.x * x.x), std::sin(k.y * x.y), std::sin(k.z * x.z)};
+        const Vec3 cosine{std::cos(k.x * x.x), std::cos(k.y * x.y), std::cos(k.z * x.z)};
+        symbol += {slope.x * sine.x * cosine.y * cosine.z, slope.y * cosine.x * sine.y * cosine.z,
+                   slope.z * cosine.x * cosine.y * sine.z};
+    }
+    return symbol;
+}
+
 /// \throws InputError when a step is longer, or the iteration of (3) stronger, than the flow stays stable for
 void check_stability(const Scenario& s, double dx)
 {
@@ -66,27 +80,24 @@ double relaxation_limit(KernelName name, double ratio)
     constexpr int points = 32;       // an axis: finds the largest eigenvalue to 0.15 %
     constexpr double margin = 1.002; // more than that
     const Kernel<double> W(name, ratio);
-    std::vector<std::pair<Vec3, Vec3>> slopes; // of the neighbors that have one
+    std::vector<std::pair<Vec3, Vec3>> slopes; // of the first octant, times the number of mirror images
     double squares = 0;
     for_each_lattice_neighbor(1, 2 * ratio, [&](const Vec3& x) {
         const Vec3 slope = first(W.gradient_factor(length(x))) * x;
-        if (length(slope) > 0) {
-            slopes.emplace_back(x, slope);
-            squares += dot(slope, slope);
+        squares += dot(slope, slope);
+        if (x.x >= 0 && x.y >= 0 && x.z >= 0 && length(slope) > 0) {
+            const double images = (x.x > 0 ? 2 : 1) * (x.y > 0 ? 2 : 1) * (x.z > 0 ? 2 : 1);
+            slopes.emplace_back(x, images * slope);
         }
     });
     double largest = 0;
-    for (int i = 0; i <= points; ++i) {
-        for (int j = 0; j <= i; ++j) {
-            for (int l = 0; l <= j; ++l) {
-                const Vec3 k = std::numbers::pi / points *
-                               Vec3{static_cast<double>(i), static_cast<double>(j), static_cast<double>(l)};
-                Vec3 symbol;
-                for (const auto& [x, slope] : slopes) {
-                    symbol += std::sin(dot(k, x)) * slope;
-                }
-                largest = std::max(largest, dot(symbol, symbol));
-            }
+    for (int n = 0; n < (points + 1) * (points + 1) * (points + 1); ++n) {
+        const Vec3 at{static_cast<double>(n / (points + 1) / (points + 1)),
+                      static_cast<double>(n / (points + 1) % (points + 1)),
+                      static_cast<double>(n % (points + 1))};
+        if (at.x >= at.y && at.y >= at.z) {
+            const Vec3 symbol = lattice_symbol(slopes, std::numbers::pi / points * at);
+            largest = std::max(largest, dot(symbol, symbol));
         }
     }
     return 4.0 / 3 * squares / (margin * largest);
