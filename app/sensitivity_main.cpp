@@ -7,6 +7,8 @@
 #include "common/process/progress.hpp"
 #include "output/file.hpp"
 #include "output/provenance.hpp"
+#include "output/report/html.hpp"
+#include "output/report/markdown.hpp"
 #include "verification/checks/checks.hpp"
 #include "verification/sensitivity/report.hpp"
 
@@ -73,8 +75,10 @@ sensitivity::SensitivityStudy run(const std::vector<const suite::Check*>& checks
 void write(const std::filesystem::path& directory, const sensitivity::SensitivityReport& report)
 {
     output::write_atomically(directory / "sensitivity.json", sensitivity::sensitivity_json(report));
-    output::write_atomically(directory / "sensitivity.md", sensitivity::sensitivity_markdown(report));
-    output::write_atomically(directory / "sensitivity.html", sensitivity::sensitivity_html(report));
+    output::write_atomically(directory / "sensitivity.md",
+                             report::markdown(sensitivity::sensitivity_document(report, false)));
+    output::write_atomically(directory / "sensitivity.html",
+                             report::html(sensitivity::sensitivity_document(report, true)));
 }
 
 int sensitivity(const Options& options)

@@ -8,6 +8,8 @@
 #include "common/process/progress.hpp"
 #include "output/file.hpp"
 #include "output/provenance.hpp"
+#include "output/report/html.hpp"
+#include "output/report/markdown.hpp"
 #include "verification/checks/checks.hpp"
 #include "verification/suite/report.hpp"
 
@@ -62,9 +64,10 @@ suite::SuiteResult run(const std::vector<const suite::Check*>& checks,
 void write(const fs::path& directory, const suite::SuiteReport& report)
 {
     output::write_atomically(directory / "report.json", suite::suite_json(report));
-    output::write_atomically(directory / "report.md", suite::suite_markdown(report));
     output::write_atomically(directory / "junit.xml", suite::suite_junit(report));
-    output::write_atomically(directory / "report.html", suite::suite_html(report));
+    const report::Document document = suite::suite_document(report);
+    output::write_atomically(directory / "report.md", report::markdown(document));
+    output::write_atomically(directory / "report.html", report::html(document));
 }
 
 void check(const VerifyOptions& options)

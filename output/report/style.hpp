@@ -6,9 +6,9 @@
 namespace aneurysm::report
 {
 
-/// Of the suite's page: light or dark as the reader's system is, black on white in print. The colors of
+/// Of all pages: light or dark as the reader's system is, black on white in print. The colors of
 /// curves are those of Okabe and Ito, which color-blind readers can tell apart.
-inline constexpr std::string_view suite_style = R"css(
+inline constexpr std::string_view page_style = R"css(
 :root {
   --page: #ffffff; --text: #1c1f23; --weak: #5b6470; --line: #d5dae0; --shade: #f3f5f7; --link: #0b57a4;
   --good: #0a6b3d; --bad: #b3261e; --warn: #8a5a00;
@@ -26,7 +26,7 @@ body { background: var(--page); color: var(--text); margin: 0 auto; max-width: 7
 h1 { font-size: 1.7rem; margin: 1rem 0 0.5rem; }
 h2 { font-size: 1.35rem; margin: 2.5rem 0 0.75rem; padding-top: 0.75rem; border-top: 2px solid var(--line); }
 h3 { font-size: 1.12rem; margin: 2rem 0 0.5rem; }
-h4 { font-size: 1rem; margin: 0 0 0.3rem; }
+h4 { font-size: 1rem; margin: 2rem 0 0.3rem; border-top: 1px solid var(--line); padding-top: 0.5rem; }
 p, ul, dl { max-width: 48rem; margin: 0.4rem 0 0.8rem; }
 a { color: var(--link); }
 code { font: 0.88em/1.4 ui-monospace, monospace; overflow-wrap: anywhere; }
@@ -44,11 +44,15 @@ table { border-collapse: collapse; font-size: 0.86rem; line-height: 1.4; }
 th, td { border-bottom: 1px solid var(--line); padding: 0.3rem 0.6rem; text-align: left; vertical-align: top; }
 thead th { background: var(--shade); border-bottom: 2px solid var(--line); }
 tr.group th { background: var(--shade); font-weight: 600; padding-top: 0.6rem; }
-tr.group div { font-weight: 400; }
+tr.group .weak { font-weight: 400; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .long { min-width: 16rem; }
-article { border: 1px solid var(--line); border-radius: 0.5rem; margin: 1rem 0; padding: 0.8rem 1rem; }
+th.sign { writing-mode: vertical-rl; transform: rotate(180deg); font-weight: 500; padding: 0.4rem 0.1rem; }
+td.sign { text-align: center; padding: 0.1rem 0.35rem; white-space: nowrap; }
+nav ul { display: flex; flex-wrap: wrap; gap: 0.2rem 1.5rem; padding: 0; list-style: none; }
 figure { display: inline-block; margin: 0.5rem 1rem 0.5rem 0; max-width: 33rem; width: 100%; vertical-align: top; }
+figure.picture { max-width: none; display: block; margin: 1rem 0; }
+figure.picture img { max-width: 100%; height: auto; background: #fff; }
 figcaption { font-size: 0.86rem; font-weight: 600; }
 svg { width: 100%; height: auto; } svg text { fill: var(--text); font-size: 13px; }
 .axis { stroke: var(--text); } .grid { stroke: var(--line); }
@@ -62,7 +66,7 @@ svg path { stroke: var(--c); fill: none; stroke-width: 1.5; } .curve { stroke-wi
     --bad: #a00; --warn: #640;
     --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #a3548a; --c4: #b57b00; --c5: #3a3f45; }
   body { font-size: 10pt; max-width: none; padding: 0; } table { font-size: 7.5pt; }
-  .wide { overflow: visible; } .long { min-width: 0; } h2 { break-before: page; } #summary h2 { break-before: avoid; }
+  .wide { overflow: visible; } .long { min-width: 0; } h2 { break-before: page; }
   tr, figure, h3, h4 { break-inside: avoid; } h3, h4 { break-after: avoid; } th, td { overflow-wrap: anywhere; }
 }
 )css";

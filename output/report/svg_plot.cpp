@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/report/svg_plot.hpp"
 
+#include "output/report/numbers.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace aneurysm::report
@@ -24,16 +25,12 @@ constexpr std::size_t styles = 6; ///< of series
 
 std::string px(double x)
 {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.1f", x);
-    return text.data();
+    return printed("%.1f", x);
 }
 
 std::string label(double x)
 {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.5g", x == 0 ? 0 : x); // -0 is 0
-    return text.data();
+    return printed("%.5g", x == 0 ? 0 : x); // -0 is 0
 }
 
 /// One axis: from values to pixels, and where its ticks are.

@@ -14,6 +14,7 @@ import xml.etree.ElementTree
 
 VOID = {"meta"}  # elements of HTML without an end
 LEVELS = 6
+WIDEST = 500  # row of a table in Markdown, characters
 
 
 class Page(html.parser.HTMLParser):
@@ -106,7 +107,11 @@ def check_markdown(text, report):
         if columns and cells and cells != columns:
             findings.append(f"markdown: a row of other length: {line}")
         columns = cells
-    return findings
+        if cells and len(line) > WIDEST:
+            findings.append(f"markdown: a row of {len(line)} characters: {line}")
+    words = text.replace("\\", "")
+    said = {q["name"] for r in report["results"] for q in r["quantities"]} | {r["id"] for r in report["results"]}
+    return findings + [f"markdown: not said: {s}" for s in said if s not in words]
 
 
 def check(texts):
@@ -121,13 +126,15 @@ FAULTS = [  # file, old text, new text, what must be found
     ("report.html", 'href="#about"', 'href="https://example.org/"', "external"),
     ("report.html", "</h1>", '</h1><img alt="x"/>', "stands alone"),
     ("report.html", "body {", "body { background: url(x.png);", "style sheet"),
-    ("report.html", 'id="ledger"', 'id="about"', "twice"),
+    ("report.html", 'id="checks"', 'id="about"', "twice"),
     ("report.html", "equations hold", "equations", "not said"),
     ("junit.xml", "</testsuites>", "", "junit"),
     ("junit.xml", 'failures="', 'failures="1', "failures"),
     ("junit.xml", 'name="reference"', 'name="ref"', "in one only"),
     ("report.md", "| equation |", "| equation | |", "other length"),
     ("report.md", "equations hold", "hold", "no headline"),
+    ("report.md", "✓ holds |", "✓ holds" + 500 * " " + "|", "a row of"),
+    ("report.md", "eq01_", "eq_", "not said"),
 ]
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The study of the suite's sensitivity, on checks made for it:
 // it finds what can be found, and says what can't.
+#include "output/report/html.hpp"
+#include "output/report/markdown.hpp"
 #include "verification/sensitivity/report.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -188,12 +190,13 @@ BOOST_AUTO_TEST_CASE(reports_name_what_went_unnoticed)
     const std::vector<suite::Check> checks{check("stress", "8", stress), check("pole", "13", look_away)};
     const sensitivity::SensitivityReport report{
         run_study(checks, {.mutants = {in_stress, in_pole}}), "", "", "", "", 1};
-    for (const std::string& text :
-         {sensitivity::sensitivity_text(report), sensitivity::sensitivity_markdown(report),
-          sensitivity::sensitivity_json(report)}) {
+    for (const std::string& text : {sensitivity::sensitivity_text(report),
+                                    report::markdown(sensitivity::sensitivity_document(report, false)),
+                                    sensitivity::sensitivity_json(report)}) {
         BOOST_TEST(text.find("FAIL") != std::string::npos);
         BOOST_TEST(text.find("sensitivity::eq13_radius/sign/cpu") != std::string::npos);
         BOOST_TEST(text.find("sensitivity::eq08_force") != std::string::npos);
     }
-    BOOST_TEST(sensitivity::sensitivity_html(report).find("UNNOTICED") != std::string::npos);
+    BOOST_TEST(report::html(sensitivity::sensitivity_document(report, true)).find("UNNOTICED") !=
+               std::string::npos);
 }

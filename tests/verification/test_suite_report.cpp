@@ -2,6 +2,8 @@
 // What a run of the suite says as a whole: equations, tallies, and the reports of a run in which everything
 // happens that can. The reports stay in sample_report/ for check_report.py, which reads them as others do.
 #include "output/file.hpp"
+#include "output/report/html.hpp"
+#include "output/report/markdown.hpp"
 #include "output/report/svg_plot.hpp"
 #include "verification/suite/report.hpp"
 
@@ -153,9 +155,9 @@ BOOST_AUTO_TEST_CASE(one_failure_is_enough)
 BOOST_AUTO_TEST_CASE(what_was_not_checked_never_holds)
 {
     BOOST_TEST((equation("7").verdict == suite::EquationVerdict::not_checked));
-    BOOST_TEST(equation("7").remark == "none of its checks was run");
+    BOOST_TEST(equation("7").remark == "no check that could show that it holds was run");
     BOOST_TEST((equation("28").verdict == suite::EquationVerdict::not_checked));
-    BOOST_TEST(equation("28").remark == "none of its checks was chosen");
+    BOOST_TEST(equation("28").remark == "no check that could show that it holds was run");
     BOOST_TEST((equation("2").verdict ==
                 suite::EquationVerdict::no_check)); // equal to something, which may be wrong
     BOOST_TEST((equation("2").cells[0].state == State::equal));
@@ -172,6 +174,32 @@ BOOST_AUTO_TEST_CASE(what_was_not_checked_never_holds)
         }
     }
     BOOST_TEST((suite::by_equation(cut_short, checks())[8].verdict == suite::EquationVerdict::not_checked));
+}
+
+BOOST_AUTO_TEST_CASE(what_fails_begins_at_the_lowest_level)
+{
+    const std::vector<suite::Failure> failures = suite::what_fails(sample().suite);
+    BOOST_REQUIRE(failures.size() == 4U);
+    BOOST_TEST(failures[0].where->check->id == "eq09_fails");
+    BOOST_TEST(failures[0].quantity->worst().ratio == 2);
+    BOOST_TEST(failures[0].subjects.size() == 2U);
+    BOOST_TEST(failures[2].where->message == "nothing compared");
+    BOOST_TEST(failures[3].where->check->id == "eq06_throws");
+}
+
+BOOST_AUTO_TEST_CASE(an_equation_that_fails_by_checks_of_others_alone_says_so)
+{
+    BOOST_TEST(!equation("9").only_shared); // by eq09_fails
+    suite::SuiteResult suite = sample().suite;
+    for (suite::CheckResult& r : suite.results) {
+        const bool shared = r.check->id == "eq01_holds"; // of (1) and the equation of state
+        r.verdict = shared ? suite::Verdict::fails : suite::Verdict::holds;
+    }
+    const std::vector<suite::EquationSummary> summaries = suite::by_equation(suite, checks());
+    const auto& eos = *std::ranges::find(summaries, "EOS", [](const auto& e) { return e.equation->id; });
+    BOOST_TEST((eos.verdict == suite::EquationVerdict::fails));
+    BOOST_TEST(eos.only_shared);
+    BOOST_TEST(!summaries[0].only_shared); // (1) is in its name
 }
 
 BOOST_AUTO_TEST_CASE(a_suite_passes_when_something_holds_and_nothing_fails)
@@ -203,9 +231,9 @@ BOOST_AUTO_TEST_CASE(reports_of_all_that_can_happen)
     const std::filesystem::path directory = "sample_report";
     std::filesystem::create_directories(directory);
     output::write_atomically(directory / "report.json", suite::suite_json(sample()));
-    output::write_atomically(directory / "report.md", suite::suite_markdown(sample()));
+    output::write_atomically(directory / "report.md", report::markdown(suite::suite_document(sample())));
     output::write_atomically(directory / "junit.xml", suite::suite_junit(sample()));
-    const std::string html = suite::suite_html(sample());
+    const std::string html = report::html(suite::suite_document(sample()));
     output::write_atomically(directory / "report.html", html);
     BOOST_TEST(count(html, "a &lt; b &amp; c") > 0);
     BOOST_TEST(count(html, "<of>") + count(html, "<none>") + count(html, "<flow>") == 0);

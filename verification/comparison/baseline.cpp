@@ -6,7 +6,7 @@
 #include "output/build_info.hpp"
 #include "output/file.hpp"
 #include "output/json.hpp"
-#include "verification/suite/summary.hpp"
+#include "output/report/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -113,8 +113,8 @@ fs::path hashes_of_run(const fs::path& data, const BaselineScenario& scenario, c
 std::string relative(double recorded, double now)
 {
     const double difference = std::abs(now - recorded);
-    return recorded != 0 ? suite::shown(difference / std::abs(recorded))
-                         : suite::shown(difference) + " absolute";
+    return recorded != 0 ? report::shown(difference / std::abs(recorded))
+                         : report::shown(difference) + " absolute";
 }
 
 /// First frame with other bits, and the fields; empty: none.

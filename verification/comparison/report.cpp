@@ -4,8 +4,9 @@
 #include "output/columns.hpp"
 #include "output/json.hpp"
 #include "output/provenance.hpp"
+#include "output/report/numbers.hpp"
+#include "output/report/text.hpp"
 
-#include <iomanip>
 #include <sstream>
 
 namespace aneurysm::comparison
@@ -31,51 +32,34 @@ std::string phases_text(const ComparisonResult& result)
     return text.empty() ? "none" : text;
 }
 
-std::string table(const ComparisonResult& result)
+report::Table table(const ComparisonResult& result)
 {
-    std::size_t width = 0;
-    for (const FieldResult& f : result.fields) {
-        width = std::max(width, f.worst.name.size());
-    }
-    std::ostringstream text;
-    text << std::left << std::setw(static_cast<int>(width)) << "field" << std::right << std::setw(11)
-         << "compared" << std::setw(10) << "particle" << std::setw(8) << "frame" << std::setw(12)
-         << "measured" << std::setw(12) << "allowed" << std::setw(18) << "measured/allowed"
-         << "  verdict\n";
+    using report::number;
+    report::Table table{{"field", number("compared"), number("particle"), number("frame"), number("measured"),
+                         number("allowed"), number("measured/allowed"), "verdict"}};
     for (const FieldResult& f : result.fields) {
         const FieldCheck& w = f.worst;
-        text << std::left << std::setw(static_cast<int>(width)) << w.name << std::right << std::setw(11)
-             << w.compared << std::setw(10) << (w.particle < 0 ? "-" : std::to_string(w.particle))
-             << std::setw(8) << f.frame << std::setprecision(3) << std::setw(12) << w.measured
-             << std::setw(12) << w.allowed << std::setw(18) << w.ratio << "  " << verdict(f);
-        if (w.failed > 0) {
-            text << " (" << w.failed << " times)";
-        }
-        text << "\n";
+        const std::string times = w.failed > 0 ? " (" + std::to_string(w.failed) + " times)" : "";
+        table.rows.push_back({w.name, std::to_string(w.compared),
+                              w.particle < 0 ? "-" : std::to_string(w.particle), std::to_string(f.frame),
+                              report::shown(w.measured), report::shown(w.allowed), report::shown(w.ratio),
+                              verdict(f) + times});
     }
-    return text.str();
+    return table;
 }
 
-output::Json fields_json(const ComparisonResult& result)
+output::Json to_json(const FieldResult& f)
 {
-    output::Json fields = output::Json::array();
-    for (const FieldResult& f : result.fields) {
-        output::Json ratios = output::Json::array();
-        for (const double r : f.ratios) {
-            ratios.push_back(output::json_number(r));
-        }
-        fields.push_back({{"name", f.worst.name},
-                          {"compared", f.worst.compared},
-                          {"failed", f.worst.failed},
-                          {"worst_particle", f.worst.particle},
-                          {"worst_frame", f.frame},
-                          {"measured", output::json_number(f.worst.measured)},
-                          {"allowed", output::json_number(f.worst.allowed)},
-                          {"ratio", output::json_number(f.worst.ratio)},
-                          {"verdict", verdict(f)},
-                          {"worst_ratio_by_frame", ratios}});
-    }
-    return fields;
+    return {{"name", f.worst.name},
+            {"compared", f.worst.compared},
+            {"failed", f.worst.failed},
+            {"worst_particle", f.worst.particle},
+            {"worst_frame", f.frame},
+            {"measured", output::json_number(f.worst.measured)},
+            {"allowed", output::json_number(f.worst.allowed)},
+            {"ratio", output::json_number(f.worst.ratio)},
+            {"verdict", verdict(f)},
+            {"worst_ratio_by_frame", output::json_array(f.ratios, output::json_number)}};
 }
 
 } // namespace
@@ -86,7 +70,7 @@ std::string report_text(const ComparisonTitle& title, const ComparisonResult& re
     text << title.mode << ": " << title.candidate.name << " (" << title.candidate.precision << ", "
          << title.device << ") against the reference, scenario " << title.scenario << "\n";
     if (!result.fields.empty()) {
-        text << table(result);
+        text << report::text(table(result));
     }
     text << "frames     " << result.frames.size();
     if (!result.frames.empty()) {
@@ -131,7 +115,7 @@ std::string report_json(const ComparisonTitle& title, const ComparisonResult& re
     json["undecided_frames"] = result.open_frames;
     json["problems"] = result.problems;
     json["notes"] = result.notes;
-    json["fields"] = fields_json(result);
+    json["fields"] = output::json_array(result.fields, [](const FieldResult& f) { return to_json(f); });
     return output::json_text(json);
 }
 

@@ -89,7 +89,7 @@ Spread spread(const std::vector<double>& values)
         squares += (v - mean) * (v - mean);
     }
     const auto [least, most] = std::ranges::minmax(values);
-    return {mean, values.size() > 1 ? std::sqrt(squares / (n - 1)) : 0, least, most};
+    return {mean, std::sqrt(squares / (n - 1)), least, most};
 }
 
 double log_rms(const std::vector<double>& found, const std::vector<double>& wanted)

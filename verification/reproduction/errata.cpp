@@ -2,6 +2,7 @@
 // What is misprinted, missing or inconsistent in the paper, and how it is read here.
 #include "common/equations.hpp"
 #include "verification/reproduction/items.hpp"
+#include "verification/suite/words.hpp"
 
 namespace aneurysm::reproduction
 {
@@ -38,19 +39,6 @@ std::vector<std::vector<std::string>> other_errata()
     };
 }
 
-std::string words_of(Status status)
-{
-    switch (status) {
-    case Status::printed:
-        return "as printed";
-    case Status::reconstructed:
-        return "reconstructed";
-    case Status::assumed:
-        return "assumed";
-    }
-    return "";
-}
-
 } // namespace
 
 Section errata(Reproduction&)
@@ -60,7 +48,7 @@ Section errata(Reproduction&)
     for (const Equation& e : equations) {
         if (!e.deviation.empty()) {
             by_equation.rows.push_back({"(" + std::string(e.id) + ")", std::string(e.title),
-                                        words_of(e.status), std::string(e.deviation)});
+                                        std::string(suite::name_of(e.status)), std::string(e.deviation)});
         }
     }
     ResultTable others{"Tables, figures and text", {"where", "what", "read as"}, other_errata()};

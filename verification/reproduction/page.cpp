@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/build_info.hpp"
-#include "output/file.hpp"
 #include "output/provenance.hpp"
-#include "output/report/markup.hpp"
-#include "output/report/style.hpp"
+#include "output/report/html.hpp"
 #include "verification/reproduction/section.hpp"
-
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 
 #include <algorithm>
 
@@ -16,143 +11,104 @@ namespace aneurysm::reproduction
 namespace
 {
 
-constexpr std::string_view picture_style = R"css(
-figure.picture { max-width: none; display: block; margin: 1rem 0; }
-figure.picture img { max-width: 100%; height: auto; background: #fff; }
-)css";
+using report::Document;
+using report::Heading;
+using report::Look;
+using report::Text;
 
-std::string base64(const std::vector<std::byte>& bytes)
+report::Table claims(const std::vector<Claim>& all)
 {
-    namespace iterators = boost::archive::iterators;
-    using Encoder =
-        iterators::base64_from_binary<iterators::transform_width<std::string::const_iterator, 6, 8>>;
-    std::string raw(bytes.size(), '\0');
-    std::ranges::transform(bytes, raw.begin(), [](std::byte b) { return static_cast<char>(b); });
-    std::string text(Encoder(raw.cbegin()), Encoder(raw.cend()));
-    constexpr std::size_t group = 4;
-    text.append((group - text.size() % group) % group, '=');
-    return text;
-}
-
-report::Markup picture(const Picture& p)
-{
-    const std::string source = "data:image/png;base64," + base64(output::read_bytes(p.file));
-    return report::element("figure", {{"class", "picture"}},
-                           report::empty_element("img", {{"src", source}, {"alt", p.caption}}),
-                           report::element("figcaption", {}, p.caption));
-}
-
-report::Markup table(const ResultTable& t)
-{
-    report::Markup head;
-    for (const std::string& column : t.columns) {
-        head << report::element("th", {}, column);
-    }
-    report::Markup body;
-    for (const std::vector<std::string>& row : t.rows) {
-        report::Markup cells;
-        for (const std::string& cell : row) {
-            cells << report::element("td", {}, cell);
-        }
-        body << report::element("tr", {}, cells) << "\n";
-    }
-    report::Markup title;
-    if (!t.title.empty()) {
-        title << report::element("h4", {}, t.title);
-    }
-    return title << report::element(
-               "div", {{"class", "wide"}},
-               report::element("table", {}, report::element("thead", {}, report::element("tr", {}, head)),
-                               report::element("tbody", {}, body)));
-}
-
-report::Markup verdict(bool holds)
-{
-    return holds ? report::element("span", {{"class", "holds"}}, "holds")
-                 : report::element("span", {{"class", "fails"}}, "does not hold");
-}
-
-report::Markup claims(const std::vector<Claim>& all)
-{
-    report::Markup rows;
+    report::Table table{{report::prose("what the paper says"), "here", report::prose("found")}};
     for (const Claim& claim : all) {
-        rows << report::element("tr", {}, report::element("td", {}, claim.words),
-                                report::element("td", {}, verdict(claim.holds)),
-                                report::element("td", {}, claim.found));
+        table.rows.push_back({claim.words,
+                              claim.holds ? Text("holds", Look::holds) : Text("does not hold", Look::fails),
+                              claim.found});
     }
-    return report::element(
-        "div", {{"class", "wide"}},
-        report::element(
-            "table", {},
-            report::element("thead", {},
-                            report::element("tr", {}, report::element("th", {}, "What the paper says"),
-                                            report::element("th", {}, "here"),
-                                            report::element("th", {}, "found"))),
-            report::element("tbody", {}, rows)));
+    return table;
 }
 
-report::Markup section(const Section& s)
+report::Table words(const ResultTable& t)
 {
-    report::Markup body = report::element("h2", {{"id", s.id}}, s.title);
-    for (const std::string& paragraph : s.text) {
-        body << report::element("p", {}, paragraph);
+    report::Table table;
+    for (const std::string& column : t.columns) {
+        table.columns.emplace_back(column);
+    }
+    for (const std::vector<std::string>& row : t.rows) {
+        table.rows.emplace_back(row.begin(), row.end());
+    }
+    return table;
+}
+
+/// What it came to first, how to understand it afterwards.
+void add(Document& document, const Section& s)
+{
+    document << Heading{2, s.title, s.id};
+    if (!s.claims.empty()) {
+        document << claims(s.claims);
     }
     for (const Picture& p : s.pictures) {
-        body << picture(p);
+        document << p;
     }
-    for (const ResultTable& t : s.tables) {
-        body << table(t);
+    for (std::size_t k = 0; k < std::max<std::size_t>(s.tables.size(), 1); ++k) {
+        if (k < s.tables.size()) {
+            if (!s.tables[k].title.empty()) {
+                document << Heading{4, s.tables[k].title};
+            }
+            document << words(s.tables[k]);
+        }
+        for (std::size_t n = 0; k == 0 && n < s.text.size(); ++n) {
+            document << Text(s.text[n]);
+        }
     }
-    if (!s.claims.empty()) {
-        body << claims(s.claims);
-    }
-    return body << "\n";
 }
 
-report::Markup summary(const std::vector<Section>& sections)
+/// How many claims of the paper hold here, which don't, and where they stand.
+void add_summary(Document& document, const std::vector<Section>& sections)
 {
-    report::Markup rows;
+    std::int64_t all = 0;
+    std::int64_t hold = 0;
+    report::List broken;
+    report::Table table{{"table or figure", "claims"}};
     for (const Section& s : sections) {
-        const auto hold = std::ranges::count_if(s.claims, &Claim::holds);
-        const std::string count = s.claims.empty() ? ""
-                                                   : std::to_string(hold) + " of " +
-                                                         std::to_string(s.claims.size()) + " claims hold";
-        rows << report::element(
-            "tr", {}, report::element("td", {}, report::element("a", {{"href", "#" + s.id}}, s.title)),
-            report::element("td", {}, count));
+        const auto of = std::ssize(s.claims);
+        const auto here = std::ranges::count_if(s.claims, &Claim::holds);
+        all += of;
+        hold += here;
+        const Text link = report::Span{s.title, Look::plain, s.id};
+        table.rows.push_back(
+            {link, of == 0 ? "" : std::to_string(here) + " of " + std::to_string(of) + " claims hold"});
+        for (const Claim& claim : s.claims) {
+            if (!claim.holds) {
+                broken.items.push_back(Text("does not hold", Look::fails) + ": " + claim.words + " (" +
+                                       claim.found + "; " + link + ")");
+            }
+        }
     }
-    return report::element("table", {}, report::element("tbody", {}, rows));
+    const std::string verdict =
+        std::to_string(hold) + " of " + std::to_string(all) + " claims of the paper hold here";
+    document << report::Verdict{{verdict, hold == all ? Look::holds : Look::fails}};
+    if (!broken.items.empty()) {
+        document << broken;
+    }
+    document << table;
 }
 
 } // namespace
 
 std::string page(const std::vector<Section>& sections, const std::string& command)
 {
-    const std::string title =
-        std::string("The paper, reproduced by aneurysm ") + output::build_info().version;
-    report::Markup body = report::element("h1", {}, title);
-    body << report::element(
-                "p", {},
-                "Wu et al., Computational Simulation of Aneurysms Using Smoothed Particle Hydrodynamics, "
-                "Mathematics 2025, 13(15), 2439: each table and figure beside what this program makes of "
-                "it. Made by ",
-                report::element("code", {}, command), " on ", output::machine(), ", commit ",
-                report::element("code", {}, output::build_info().commit), ", ", output::now_utc(), ".")
-         << summary(sections);
+    Document document{std::string("The paper, reproduced by aneurysm ") + output::build_info().version};
+    add_summary(document, sections);
+    document
+        << Text("Wu et al., Computational Simulation of Aneurysms Using Smoothed Particle Hydrodynamics, "
+                "Mathematics 2025, 13(15), 2439: what this program makes of its tables, figures and claims. "
+                "Made by ") +
+               Text(command, Look::code) + " on " + output::machine() + ", commit " +
+               Text(output::build_info().commit, Look::code) + ", " + output::now_utc() + ".";
     for (const Section& s : sections) {
-        body << section(s);
+        add(document, s);
     }
-    const report::Markup head =
-        report::element("head", {},
-                        report::Markup::verbatim("<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-                                                 "content=\"width=device-width, initial-scale=1\">\n"),
-                        report::element("title", {}, title),
-                        report::element("style", {}, report::Markup::verbatim(report::suite_style),
-                                        report::Markup::verbatim(picture_style)));
-    return "<!DOCTYPE html>\n" +
-           report::element("html", {{"lang", "en"}}, head, "\n", report::element("body", {}, "\n", body))
-               .text() +
-           "\n";
+    return report::html(document);
 }
 
 } // namespace aneurysm::reproduction

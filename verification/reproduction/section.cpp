@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/reproduction/section.hpp"
 
-#include <nlohmann/json.hpp>
+#include "output/json.hpp"
 
 #include <cmath>
 #include <iomanip>
@@ -38,30 +38,36 @@ std::string number(double x, int digits)
     return text.str();
 }
 
+std::string whole(double x)
+{
+    return std::isnan(x) ? "-" : std::to_string(std::llround(x));
+}
+
 std::string percent_off(double a, double b)
 {
-    std::ostringstream text;
-    text << std::showpos << std::fixed << std::setprecision(0) << 100 * (a / b - 1) << " %";
-    return text.str();
+    const long long off = std::llround(100 * (a / b - 1));
+    return (off >= 0 ? "+" : "") + std::to_string(off) + " %";
 }
 
 nlohmann::ordered_json to_json(const Section& section)
 {
-    using Json = nlohmann::ordered_json;
-    Json tables = Json::array();
-    for (const ResultTable& table : section.tables) {
-        tables.push_back({{"title", table.title}, {"columns", table.columns}, {"rows", table.rows}});
-    }
-    Json claims = Json::array();
-    for (const Claim& claim : section.claims) {
-        claims.push_back({{"claim", claim.words}, {"holds", claim.holds}, {"found", claim.found}});
-    }
-    Json pictures = Json::array();
-    for (const Picture& picture : section.pictures) {
-        pictures.push_back({{"file", picture.file.filename().string()}, {"caption", picture.caption}});
-    }
-    return {{"id", section.id}, {"title", section.title}, {"text", section.text},
-            {"tables", tables}, {"claims", claims},       {"pictures", pictures}};
+    using output::Json;
+    return {{"id", section.id},
+            {"title", section.title},
+            {"text", section.text},
+            {"tables",
+             output::json_array(section.tables,
+                                [](const ResultTable& t) {
+                                    return Json{{"title", t.title}, {"columns", t.columns}, {"rows", t.rows}};
+                                })},
+            {"claims",
+             output::json_array(section.claims,
+                                [](const Claim& c) {
+                                    return Json{{"claim", c.words}, {"holds", c.holds}, {"found", c.found}};
+                                })},
+            {"pictures", output::json_array(section.pictures, [](const Picture& p) {
+                 return Json{{"file", p.file.filename().string()}, {"caption", p.caption}};
+             })}};
 }
 
 std::string to_csv(const ResultTable& table)

@@ -2,9 +2,10 @@
 // What one table or figure of the paper came to, as the page shows it.
 #pragma once
 
+#include "output/report/document.hpp"
+
 #include <nlohmann/json_fwd.hpp>
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,10 +26,7 @@ struct Claim {
     std::string found; ///< the number that decides
 };
 
-struct Picture {
-    std::filesystem::path file; ///< PNG
-    std::string caption;
-};
+using report::Picture;
 
 struct Section {
     std::string id;    ///< table1 ... fig10
@@ -41,6 +39,8 @@ struct Section {
 
 /// A number in as few digits as tell it apart; "-" for a NaN.
 std::string number(double x, int digits = 4);
+/// A number without its fraction; "-" for a NaN.
+std::string whole(double x);
 /// How far a is from b, as in "-12 %".
 std::string percent_off(double a, double b);
 

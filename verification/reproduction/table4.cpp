@@ -111,15 +111,14 @@ ResultTable frames_table(const std::vector<RowResult>& results)
     for (const RowResult& r : results) {
         const Spread s = r.spread();
         const auto n = static_cast<double>(r.frames.size());
-        table.rows.push_back(
-            {number(r.row.sigma), number(r.row.phi), std::to_string(r.row.paper),
-             (r.held > 0 ? ">= " : "") + std::to_string(std::llround(s.mean)),
-             percent_off(s.mean, static_cast<double>(r.row.paper)), std::to_string(std::llround(s.deviation)),
-             std::to_string(std::llround(s.deviation / std::sqrt(n))), std::to_string(std::llround(s.least)),
-             (r.held > 0 ? "holds: " + std::to_string(r.held) : std::to_string(std::llround(s.most))),
-             std::to_string(r.earlier) + "/" + std::to_string(r.frames.size()),
-             std::to_string(r.developed) + "/" + std::to_string(r.frames.size()),
-             r.fitted ? "calibration" : "prediction"});
+        table.rows.push_back({number(r.row.sigma), number(r.row.phi), std::to_string(r.row.paper),
+                              (r.held > 0 ? ">= " : "") + whole(s.mean),
+                              percent_off(s.mean, static_cast<double>(r.row.paper)), whole(s.deviation),
+                              whole(s.deviation / std::sqrt(n)), whole(s.least),
+                              (r.held > 0 ? "holds: " + std::to_string(r.held) : whole(s.most)),
+                              std::to_string(r.earlier) + "/" + std::to_string(r.frames.size()),
+                              std::to_string(r.developed) + "/" + std::to_string(r.frames.size()),
+                              r.fitted ? "calibration" : "prediction"});
     }
     return table;
 }
@@ -209,7 +208,7 @@ Claim falling(const std::string& words, const std::vector<double>& means)
 {
     std::string found;
     for (const double mean : means) {
-        found += (found.empty() ? "" : " > ") + std::to_string(std::llround(mean));
+        found += (found.empty() ? "" : " > ") + whole(mean);
     }
     return {words, std::ranges::is_sorted(means, std::ranges::greater_equal()), found};
 }

@@ -2,6 +2,7 @@
 // What a study of the suite's sensitivity says, to people and to programs.
 #pragma once
 
+#include "output/report/document.hpp"
 #include "verification/sensitivity/sensitivity.hpp"
 
 #include <string>
@@ -33,7 +34,6 @@ struct MutantTally {
 };
 /// By equation, in the paper's order, and all in the last.
 std::vector<MutantTally> tallies(const SensitivityStudy& study);
-MutantTally tally(const SensitivityStudy& study, Side side);
 
 std::vector<const MutantRow*> survivors(const SensitivityStudy& study);
 /// Checks that no mutant turned red.
@@ -46,23 +46,14 @@ struct Unusable {
 std::vector<Unusable> unusable(const SensitivityStudy& study);
 /// Checks that compute with no backend, only with oracles.
 std::vector<const suite::Check*> without_backend(const SensitivityStudy& study);
-/// One line of the table of what each check sees; null where it looks at no such backend.
-struct SightPair {
-    const suite::Check* check = nullptr;
-    const Sight* reference = nullptr;
-    const Sight* device = nullptr;
-};
-std::vector<SightPair> sight_pairs(const SensitivityStudy& study);
 
 /// "PASS" and what was found, in a sentence.
 std::string verdict_of(const SensitivityStudy& study);
 std::string headline(const SensitivityStudy& study);
-/// "1.1e-15 (eq13_radius)"
-std::string smallest_of(const Sight* sight);
 
 std::string sensitivity_text(const SensitivityReport& report); ///< for the terminal
-std::string sensitivity_markdown(const SensitivityReport& report);
 std::string sensitivity_json(const SensitivityReport& report);
-std::string sensitivity_html(const SensitivityReport& report); ///< with the kill matrix
+/// `with_matrix`: which check finds which mutant, in tables too wide for Markdown.
+report::Document sensitivity_document(const SensitivityReport& report, bool with_matrix);
 
 } // namespace aneurysm::sensitivity

@@ -42,21 +42,11 @@ output::Json json(const Sight& sight)
 
 output::Json json(const BaselineCase& c)
 {
-    constexpr std::array names{"holds", "fails", "not run"};
+    constexpr std::array names{"holds", "fails", "not run"}; // by Verdict
     return {{"case", c.what.name()},
             {"verdict", names.at(static_cast<std::size_t>(c.result.verdict))},
             {"message", c.result.message},
             {"cpu_seconds", c.result.seconds}};
-}
-
-template <class Item, class... More>
-output::Json list(const std::vector<Item>& items, const More&... more)
-{
-    output::Json result = output::Json::array();
-    for (const Item& item : items) {
-        result.push_back(json(item, more...));
-    }
-    return result;
 }
 
 } // namespace
@@ -65,21 +55,23 @@ std::string sensitivity_json(const SensitivityReport& report)
 {
     const SensitivityStudy& study = report.study;
     const MutantTally all = tallies(study).back();
-    return output::json_text({{"verdict", verdict_of(study)},
-                              {"planted", all.planted},
-                              {"found", all.found},
-                              {"argued", all.argued},
-                              {"unexplained", all.unexplained()},
-                              {"fault_size", mutant_size},
-                              {"selection", report.selection},
-                              {"command", report.command},
-                              {"date", report.date},
-                              {"machine", report.machine},
-                              {"seconds", study.seconds},
-                              {"provenance", output::provenance()},
-                              {"without_faults", list(study.baseline)},
-                              {"faults", list(study.rows, study)},
-                              {"checks", list(study.sights)}});
+    return output::json_text(
+        {{"verdict", verdict_of(study)},
+         {"planted", all.planted},
+         {"found", all.found},
+         {"argued", all.argued},
+         {"unexplained", all.unexplained()},
+         {"fault_size", mutant_size},
+         {"selection", report.selection},
+         {"command", report.command},
+         {"date", report.date},
+         {"machine", report.machine},
+         {"seconds", study.seconds},
+         {"provenance", output::provenance()},
+         {"without_faults",
+          output::json_array(study.baseline, [](const BaselineCase& c) { return json(c); })},
+         {"faults", output::json_array(study.rows, [&](const MutantRow& r) { return json(r, study); })},
+         {"checks", output::json_array(study.sights, [](const Sight& s) { return json(s); })}});
 }
 
 } // namespace aneurysm::sensitivity

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "output/report/document.hpp"
 #include "verification/suite/summary.hpp"
 
 #include <string>
@@ -22,12 +23,11 @@ struct SuiteReport {
 
 /// For the terminal: levels, what fails, what was not run, the verdict.
 std::string suite_text(const SuiteReport& report);
-/// Everything.
+/// Everything, for programs.
 std::string suite_json(const SuiteReport& report);
-std::string suite_markdown(const SuiteReport& report);
 /// A test suite for each level, a test case for each check and subject.
 std::string suite_junit(const SuiteReport& report);
-/// One page that needs nothing else; its first screen is for readers who don't know the code.
-std::string suite_html(const SuiteReport& report);
+/// Everything, for people; its first screen is for readers who don't know the code.
+report::Document suite_document(const SuiteReport& report);
 
 } // namespace aneurysm::suite

@@ -3,23 +3,10 @@
 #include "output/provenance.hpp"
 #include "verification/suite/report.hpp"
 
-#include <array>
-
 namespace aneurysm::suite
 {
 namespace
 {
-
-/// An array of what f makes of each.
-template <class Range, class F>
-output::Json array_of(const Range& range, const F& f)
-{
-    output::Json array = output::Json::array();
-    for (const auto& x : range) {
-        array.push_back(f(x));
-    }
-    return array;
-}
 
 output::Json to_json(const Quantity& q)
 {
@@ -44,27 +31,28 @@ output::Json to_json(const Series& s)
 {
     return {{"name", s.name},
             {"line", s.line},
-            {"x", array_of(s.x, output::json_number)},
-            {"y", array_of(s.y, output::json_number)}};
+            {"x", output::json_array(s.x, output::json_number)},
+            {"y", output::json_array(s.y, output::json_number)}};
 }
 
 output::Json to_json(const Plot& p)
 {
-    return {
-        {"title", p.title},     {"x_label", p.x_label},
-        {"y_label", p.y_label}, {"log_x", p.log_x},
-        {"log_y", p.log_y},     {"series", array_of(p.series, [](const Series& s) { return to_json(s); })}};
+    return {{"title", p.title},
+            {"x_label", p.x_label},
+            {"y_label", p.y_label},
+            {"log_x", p.log_x},
+            {"log_y", p.log_y},
+            {"series", output::json_array(p.series, [](const Series& s) { return to_json(s); })}};
 }
 
 output::Json to_json(const Check& c)
 {
-    static constexpr std::array scopes{"equations", "flows", "backends", "once"};
     return {{"id", c.id},
             {"level", "L" + std::to_string(static_cast<int>(c.level))},
             {"equations", c.equations},
             {"title", c.title},
             {"oracles", c.oracles},
-            {"scope", scopes.at(static_cast<std::size_t>(c.scope))},
+            {"scope", name_of(c.scope)},
             {"quick", c.quick}};
 }
 
@@ -75,11 +63,11 @@ output::Json to_json(const CheckResult& r)
     json["verdict"] = name_of(r.verdict);
     json["message"] = r.message;
     json["seconds"] = r.seconds;
-    json["quantities"] = array_of(r.quantities, [](const Quantity& q) { return to_json(q); });
-    json["notes"] = array_of(r.notes, [](const Note& n) {
+    json["quantities"] = output::json_array(r.quantities, [](const Quantity& q) { return to_json(q); });
+    json["notes"] = output::json_array(r.notes, [](const Note& n) {
         return output::Json{{"name", n.name}, {"value", output::json_number(n.value)}, {"remark", n.remark}};
     });
-    json["plots"] = array_of(r.plots, [](const Plot& p) { return to_json(p); });
+    json["plots"] = output::json_array(r.plots, [](const Plot& p) { return to_json(p); });
     return json;
 }
 
@@ -91,8 +79,8 @@ output::Json to_json(const EquationSummary& e)
             {"deviation", e.equation->deviation},
             {"verdict", name_of(e.verdict)},
             {"remark", e.remark},
-            {"checks", array_of(e.checks, [](const Check* c) { return c->id; })},
-            {"evidence", array_of(e.checks, [](const Check* c) { return is_evidence(*c); })}};
+            {"checks", output::json_array(e.checks, [](const Check* c) { return c->id; })},
+            {"evidence", output::json_array(e.checks, [](const Check* c) { return is_evidence(*c); })}};
 }
 
 output::Json to_json(const SuiteSubject& s)
@@ -124,9 +112,12 @@ std::string suite_json(const SuiteReport& report)
     json["not_run"] = all.not_run;
     json["compared"] = all.compared;
     json["largest_ratio"] = all.compared > 0 ? output::json_number(all.ratio) : output::Json();
-    json["subjects"] = array_of(report.suite.subjects, [](const SuiteSubject& s) { return to_json(s); });
-    json["equations"] = array_of(report.equations, [](const EquationSummary& e) { return to_json(e); });
-    json["results"] = array_of(report.suite.results, [](const CheckResult& r) { return to_json(r); });
+    json["subjects"] =
+        output::json_array(report.suite.subjects, [](const SuiteSubject& s) { return to_json(s); });
+    json["equations"] =
+        output::json_array(report.equations, [](const EquationSummary& e) { return to_json(e); });
+    json["results"] =
+        output::json_array(report.suite.results, [](const CheckResult& r) { return to_json(r); });
     return output::json_text(json);
 }
 

@@ -2,21 +2,12 @@
 #include "verification/suite/summary.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include <tuple>
 
 namespace aneurysm::suite
 {
 namespace
 {
-
-std::string printed(const char* format, double x)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, x);
-    return text.data();
-}
 
 bool names(const Check& check, const Equation& equation)
 {
@@ -79,6 +70,9 @@ void judge(EquationSummary& e, const std::vector<const CheckResult*>& results)
         std::ranges::any_of(results, [](const CheckResult* r) { return r->message == interruption; });
     if (any(Verdict::fails)) {
         e.verdict = EquationVerdict::fails;
+        e.only_shared = std::ranges::none_of(results, [&](const CheckResult* r) {
+            return r->verdict == Verdict::fails && is_own(*r->check, *e.equation);
+        });
     } else if (std::ranges::none_of(e.checks, [](const Check* c) { return is_evidence(*c); })) {
         e.verdict = EquationVerdict::no_check;
         e.remark = "the suite has no check of it";
@@ -86,9 +80,7 @@ void judge(EquationSummary& e, const std::vector<const CheckResult*>& results)
         e.verdict = EquationVerdict::holds;
     } else {
         e.verdict = EquationVerdict::not_checked;
-        e.remark = cut_short         ? interruption
-                   : results.empty() ? "none of its checks was chosen"
-                                     : "none of its checks was run";
+        e.remark = cut_short ? interruption : "no check that could show that it holds was run";
     }
 }
 
@@ -127,6 +119,12 @@ std::vector<Reason> reasons(const SuiteResult& suite, Verdict verdict)
 }
 
 } // namespace
+
+std::string number_of(const Equation& equation)
+{
+    const std::string id(equation.id);
+    return id == "EOS" ? id : "(" + id + ")";
+}
 
 void Tally::add(const CheckResult& result)
 {
@@ -174,6 +172,12 @@ Tally tally(const SuiteResult& suite, Level level)
 bool is_evidence(const Check& check)
 {
     return check.scope != Scope::once && check.level < Level::metamorphic;
+}
+
+bool is_own(const Check& check, const Equation& equation)
+{
+    const std::string id = (equation.id.size() == 1 ? "eq0" : "eq") + std::string(equation.id);
+    return check.id.starts_with(id + "_") || (check.equations.size() == 1 && names(check, equation));
 }
 
 double median_ratio(const SuiteResult& suite, Level level)
@@ -238,6 +242,36 @@ std::vector<Reason> not_run(const SuiteResult& suite)
     return all;
 }
 
+std::vector<Failure> what_fails(const SuiteResult& suite)
+{
+    std::vector<Failure> all;
+    const auto add = [&](const CheckResult& r, const Quantity* q) {
+        const auto known = std::ranges::find_if(all, [&](const Failure& f) {
+            const bool same = q == nullptr ? f.quantity == nullptr && f.where->message == r.message
+                                           : f.quantity != nullptr && f.quantity->name() == q->name();
+            return f.where->check == r.check && same;
+        });
+        Failure& f = known == all.end() ? all.emplace_back(&r, q) : *known;
+        f.subjects.push_back(r.subject);
+        if (q != nullptr && q->worst().ratio > f.quantity->worst().ratio) {
+            std::tie(f.where, f.quantity) = std::tuple(&r, q);
+        }
+    };
+    for (const CheckResult& r : suite.results) {
+        const auto is_red = [](const Quantity& q) { return q.compared() > 0 && q.failed() > 0; };
+        for (const Quantity& q : r.quantities) {
+            if (is_red(q)) {
+                add(r, &q);
+            }
+        }
+        if (r.verdict == Verdict::fails && std::ranges::none_of(r.quantities, is_red)) {
+            add(r, nullptr);
+        }
+    }
+    std::ranges::stable_sort(all, {}, [](const Failure& f) { return f.where->check->level; });
+    return all;
+}
+
 bool passed(const SuiteResult& suite)
 {
     const Tally t = tally(suite);
@@ -264,16 +298,6 @@ std::string headline(const std::vector<EquationSummary>& summaries)
         }
     }
     return text;
-}
-
-std::string shown(double x)
-{
-    return x < 0 ? "-" : std::isinf(x) ? "infinite" : printed("%.3g", x);
-}
-
-std::string shown_value(double x)
-{
-    return printed("%.6g", x);
 }
 
 } // namespace aneurysm::suite

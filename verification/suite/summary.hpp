@@ -2,23 +2,15 @@
 // What a run of the suite says as a whole; all reports say it.
 #pragma once
 
-#include "common/equations.hpp"
-#include "verification/suite/suite.hpp"
+#include "verification/suite/words.hpp"
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace aneurysm::suite
 {
 
-std::string_view name_of(Level level);    ///< "single formulas"
-std::string_view meaning_of(Level level); ///< a sentence for a reader who doesn't know the code
-std::string_view name_of(Verdict verdict);
-std::string_view name_of(Source source);
-std::string_view meaning_of(Source source);
-std::string_view name_of(Status status);
 /// "(13)", or "EOS"
 std::string number_of(const Equation& equation);
 
@@ -39,14 +31,8 @@ Tally tally(const CheckResult& result);
 /// Whether it compares the program itself with an answer found without it: only such a check can show that an
 /// equation holds. The others, of oracles and of runs with one another, can only show that something fails.
 bool is_evidence(const Check& check);
-
-enum class EquationVerdict {
-    holds,       ///< all that was checked, by evidence for at least one backend
-    fails,       ///< somewhere
-    not_checked, ///< not chosen, not run or interrupted; the remark says which
-    no_check,    ///< the suite has none
-};
-std::string_view name_of(EquationVerdict verdict);
+/// Whether the check is of this equation above all: its id names it, or it lists no other.
+bool is_own(const Check& check, const Equation& equation);
 
 /// What the checks of an equation say of one subject.
 struct EquationCell {
@@ -68,7 +54,8 @@ struct EquationSummary {
     std::vector<const Check*> checks{}; ///< all of the suite that name it, chosen or not
     std::vector<EquationCell> cells{};  ///< by subject of the suite
     EquationVerdict verdict = EquationVerdict::no_check;
-    std::string remark{}; ///< why not checked
+    bool only_shared = false; ///< it fails, but only in runs of several equations
+    std::string remark{};     ///< why not checked
 };
 
 /// One for each row of the table of equations.
@@ -84,6 +71,15 @@ struct Reason {
 std::vector<Reason> failures(const SuiteResult& suite);
 std::vector<Reason> not_run(const SuiteResult& suite);
 
+/// A quantity that isn't within its bound, or a check that stopped or compared nothing.
+struct Failure {
+    const CheckResult* where = nullptr;  ///< of the version that is worst off
+    const Quantity* quantity = nullptr;  ///< null: see the message of `where`
+    std::vector<std::string> subjects{}; ///< all for which it fails
+};
+/// By level, the lowest first: what it is made of is smallest, so that it is the place to look at first.
+std::vector<Failure> what_fails(const SuiteResult& suite);
+
 Tally tally(const SuiteResult& suite);
 Tally tally(const SuiteResult& suite, Level level);
 /// What half of the quantities used of their bounds at most; -1: nothing compared.
@@ -92,10 +88,5 @@ double median_ratio(const SuiteResult& suite, Level level);
 bool passed(const SuiteResult& suite);
 /// "29 of 29 equations hold", and which others there are.
 std::string headline(const std::vector<EquationSummary>& summaries);
-
-/// An error, a bound or a ratio with three digits; "-" for none, which is less than 0
-std::string shown(double x);
-/// Any number, with six digits.
-std::string shown_value(double x);
 
 } // namespace aneurysm::suite

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report's summary, its table of equations, what its words mean, and what a terminal shows.
+#include "verification/suite/report.hpp"
+
+#include "output/build_info.hpp"
+#include "output/report/numbers.hpp"
+#include "output/report/text.hpp"
+#include "verification/suite/report_checks.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace aneurysm::suite
+{
+namespace
+{
+
+using report::Document;
+using report::grouped;
+using report::Heading;
+using report::joined;
+using report::Look;
+using report::number;
+using report::percent;
+using report::prose;
+using report::Row;
+using report::shown;
+using report::Table;
+using report::Text;
+
+constexpr std::array levels{Level::scalar,     Level::lattice,     Level::transient,
+                            Level::continuous, Level::metamorphic, Level::executors};
+
+std::string verdict_of(const SuiteResult& suite)
+{
+    return !suite.complete           ? "INCOMPLETE"
+           : passed(suite)           ? "PASS"
+           : tally(suite).holds == 0 ? "NOTHING HOLDS"
+                                     : "FAIL";
+}
+
+/// In a sentence, with which versions that is about.
+report::Verdict banner(const SuiteReport& report)
+{
+    const SuiteResult& suite = report.suite;
+    const bool good = passed(suite);
+    const std::string text = !suite.complete           ? "Interrupted: this report is incomplete. "
+                             : good                    ? "Everything that was checked holds. "
+                             : tally(suite).holds == 0 ? "Nothing holds. "
+                                                       : "Something fails. ";
+    std::string here;
+    std::string missing;
+    for (const SuiteSubject& s : suite.subjects) {
+        std::string& list = s.missing.empty() ? here : missing;
+        list.append(list.empty() ? "" : ", ").append(s.subject.name());
+    }
+    return {{text + headline(report.equations) + ".", good ? Look::holds : Look::fails},
+            "Checked: " + here + (missing.empty() ? "" : "; not checked: " + missing) + ". " +
+                report.selection + ". " + report.date + ", " + shown(suite.seconds) + " s on " +
+                report.machine + "."};
+}
+
+/// Numbers of those that fail by a check of their own, and of the others.
+Text failing_equations(const SuiteReport& report)
+{
+    std::vector<std::string> own;
+    std::vector<std::string> shared;
+    for (const EquationSummary& e : report.equations) {
+        if (e.verdict == EquationVerdict::fails) {
+            (e.only_shared ? shared : own).push_back(number_of(*e.equation));
+        }
+    }
+    Text text;
+    if (!own.empty()) {
+        text += Text("Equations that fail by a check of their own: ") + joined(own, " ") + ". ";
+    }
+    if (!shared.empty()) {
+        text +=
+            Text("Equations that fail only in runs which several equations share, so that another may be the "
+                 "reason: ") +
+            joined(shared, " ") + ".";
+    }
+    return text;
+}
+
+void add_failures(Document& document, const SuiteReport& report)
+{
+    const std::vector<Failure> failures = what_fails(report.suite);
+    if (failures.empty()) {
+        return;
+    }
+    Table table{{"level", "check", "quantity", number("found"), number("allowed"), number("found/allowed"),
+                 "versions"}};
+    for (const Failure& f : failures) {
+        Row row{"L" + std::to_string(static_cast<int>(f.where->check->level)), check_link(*f.where->check)};
+        if (f.quantity == nullptr) {
+            row.insert(row.end(), {Text(f.where->message), Text(), Text(), Text()});
+        } else {
+            const Quantity::Worst& w = f.quantity->worst();
+            row.insert(row.end(), {Text(f.quantity->name()), Text(shown(w.error)), Text(shown(w.allowed)),
+                                   Text(shown(w.ratio), Look::fails)});
+        }
+        row.push_back(report::joined(f.subjects, ", "));
+        table.rows.push_back(std::move(row));
+    }
+    document << Heading{2, "What fails", "failures"}
+             << Text("The lowest level comes first: it computes with the least, so look there first.")
+             << table << failing_equations(report);
+}
+
+void add_introduction(Document& document, const SuiteReport& report)
+{
+    const auto hold = std::ranges::count(report.equations, EquationVerdict::holds, &EquationSummary::verdict);
+    std::int64_t independent = 0;
+    for (const Level level : levels) {
+        independent += level < Level::metamorphic ? tally(report.suite, level).compared : 0;
+    }
+    const Tally all = tally(report.suite);
+    document
+        << Text(
+               "The program simulates how an aneurysm, a bulge in an artery, grows and bursts. Blood is many small "
+               "particles that push one another (smoothed particle hydrodynamics). The model is that of one paper "
+               "(Wu et al., Mathematics 2025, 13(15), 2439, doi 10.3390/math13152439): 28 numbered equations and "
+               "an equation of state. For each, this report compares what the program computes with answers found "
+               "independently of it: formulas derived by hand, and numbers from the GNU Scientific Library.")
+        << report::Figures{{{std::to_string(hold) + " of " + std::to_string(report.equations.size()),
+                             "equations hold"},
+                            {grouped(independent), "numbers compared with an answer found independently"},
+                            {grouped(all.compared - independent),
+                             "numbers compared between versions or runs of the program"},
+                            {std::to_string(all.fails), "checks fail, " + std::to_string(all.holds) +
+                                                            " hold, " + std::to_string(all.not_run) +
+                                                            " were not run"}}}
+        << Text(
+               "No computer meets an answer to the last digit, so a difference is allowed for every number. How "
+               "large it may be is never chosen by feel: it follows from a stated reason, such as the number of "
+               "roundings behind the number, which is printed beside it. A number that used 30 % of its allowed "
+               "difference is well inside; above 100 % is a failure. Some come close because their bounds are "
+               "sharp: a solve stops just below its tolerance.");
+}
+
+std::string described(const SuiteSubject& s)
+{
+    const std::string& name = s.subject.choice.name;
+    if (name == "reference") {
+        return "the plain version, which reads like the paper; 16 digits";
+    }
+    return std::string("the fast version on ") + (name == "cpu" ? "a processor" : "a graphics card (GPU)") +
+           (s.subject.choice.precision == "double" ? "; 16 digits" : "; 7 digits");
+}
+
+Table subjects_table(const SuiteReport& report)
+{
+    Table table{
+        {"version", "what it is", number("checks hold"), number("fail"), number("not run"), "where it ran"}};
+    const auto add = [&](const std::string& name, const std::string& what, const std::string& device) {
+        Tally t;
+        for (const CheckResult& r : report.suite.results) {
+            if (r.subject == name) {
+                t.add(r);
+            }
+        }
+        table.rows.push_back({name, what, std::to_string(t.holds), std::to_string(t.fails),
+                              std::to_string(t.not_run), device});
+    };
+    for (const SuiteSubject& s : report.suite.subjects) {
+        add(s.subject.name(), described(s), s.missing.empty() ? s.device : "not there, see below");
+    }
+    add("once", "the independent answers, against one another", "one CPU core");
+    return table;
+}
+
+Table levels_table(const SuiteReport& report)
+{
+    Table table{{"level", prose("what it compares"), number("numbers compared"), number("checks that fail"),
+                 number("half of the quantities used at most"), number("all used at most"),
+                 "the number that came closest to its bound, or exceeded it most"}};
+    for (const Level level : levels) {
+        const Tally t = tally(report.suite, level);
+        Text closest = "nothing compared";
+        if (t.closest != nullptr) {
+            const Quantity::Worst& w = t.closest->worst();
+            closest =
+                Text(t.closest->name() + ": " + shown(w.error) + " off, " + shown(w.allowed) + " allowed (") +
+                check_link(*t.where->check) + ", " + t.where->subject + ")";
+        }
+        table.rows.push_back({level_heading(level), words<Level>.at(static_cast<std::size_t>(level)).meaning,
+                              grouped(t.compared), std::to_string(t.fails),
+                              percent(median_ratio(report.suite, level)), percent(t.ratio), closest});
+    }
+    return table;
+}
+
+/// Equations that are not known to hold or to fail, those for the same reason together; and what was not run.
+report::List unchecked(const SuiteReport& report)
+{
+    std::map<std::string, std::string> by_reason;
+    for (const EquationSummary& e : report.equations) {
+        if (e.verdict == EquationVerdict::not_checked || e.verdict == EquationVerdict::no_check) {
+            by_reason[e.remark].append(" ").append(number_of(*e.equation));
+        }
+    }
+    report::List list;
+    for (const auto& [reason, numbers] : by_reason) {
+        list.items.emplace_back("Equations" + numbers + ": " + reason + ".");
+    }
+    for (const Reason& reason : not_run(report.suite)) {
+        list.items.emplace_back(reason.who + ": " + reason.why + ".");
+    }
+    list.items.emplace_back(
+        "Whether the paper's model describes an aneurysm in a patient. This report is about the "
+        "program: does it compute what the paper's equations say?");
+    return list;
+}
+
+/// What the checks say of an equation for one version.
+Text subject_cell(const EquationCell& c)
+{
+    std::string closest;
+    if (c.tally.closest != nullptr) {
+        closest = std::string(c.tally.where->check->id) + ", " + c.tally.closest->name() + ": " +
+                  shown(c.tally.closest->worst().error) + " off, " + shown(c.tally.closest->worst().allowed) +
+                  " allowed";
+    }
+    using State = EquationCell::State;
+    switch (c.state) {
+    case State::holds:
+        return report::Span{shown(c.tally.ratio), Look::holds, {}, closest};
+    case State::fails:
+        return report::Span{c.tally.ratio > 1 ? shown(c.tally.ratio) : "FAILS", Look::fails, {}, closest};
+    case State::not_run:
+        return report::Span{"not run", Look::weak, {}, c.remark};
+    case State::shared:
+        return {c.remark, Look::weak};
+    case State::equal:
+        return report::Span{"equal, " + shown(c.tally.ratio), Look::plain, {}, closest};
+    case State::none:
+        break;
+    }
+    return {"–", Look::weak};
+}
+
+Text verdict_cell(const EquationSummary& e)
+{
+    if (e.verdict == EquationVerdict::holds) {
+        return {name_of(e.verdict), Look::holds};
+    }
+    Text text(name_of(e.verdict), e.verdict == EquationVerdict::not_checked ? Look::warn : Look::fails);
+    if (e.only_shared) {
+        text += Text(" only in shared runs", Look::weak);
+    }
+    return e.remark.empty() ? text : text + (": " + e.remark);
+}
+
+/// The checks that can show that it holds, with what they compare with; the others in a line each.
+Text checks_cell(const SuiteReport& report, const EquationSummary& e)
+{
+    Text evidence;
+    std::vector<Text> others;
+    std::vector<std::string_view> left_out;
+    for (const Check* check : e.checks) {
+        const bool chosen =
+            std::ranges::find(report.suite.results, check, &CheckResult::check) != report.suite.results.end();
+        if (!chosen) {
+            left_out.push_back(check->id);
+        } else if (!is_evidence(*check)) {
+            others.push_back(check_link(*check));
+        } else {
+            evidence += (evidence.empty() ? Text() : Text("\n")) + check_link(*check) + ": " +
+                        joined(check->oracles, "; ");
+        }
+    }
+    if (!others.empty()) {
+        evidence += (evidence.empty() ? Text("also: ") : Text("\nalso: ")) + joined(others, ", ");
+    }
+    if (!left_out.empty()) {
+        evidence +=
+            Text(evidence.empty() ? "not chosen: " : "\nnot chosen: ", Look::weak) + joined(left_out, ", ");
+    }
+    return evidence;
+}
+
+void add_equations(Document& document, const SuiteReport& report)
+{
+    Table table{{"equation", "title", "verdict"}};
+    for (const SuiteSubject& s : report.suite.subjects) {
+        table.columns.push_back(number(s.subject.name()));
+    }
+    table.columns.insert(
+        table.columns.end(),
+        {{"reading"}, prose("how the printed formula is read"), prose("checks: what they compare with")});
+    for (const EquationSummary& e : report.equations) {
+        Row row{number_of(*e.equation), e.equation->title, verdict_cell(e)};
+        std::ranges::transform(e.cells, std::back_inserter(row), subject_cell);
+        row.insert(row.end(), {name_of(e.equation->status), e.equation->deviation, checks_cell(report, e)});
+        table.rows.push_back(std::move(row));
+    }
+    document
+        << Heading{2, "Equation by equation", "equations"}
+        << Text(
+               "The numbers under the versions are the largest measured/allowed of all checks of the equation: "
+               "0.3 says that the difference found was 30 % of what is allowed, above 1 is a failure. The "
+               "formulas of the fast version are the same functions in 16 and in 7 digits and are checked once "
+               "by themselves; its flows are checked in both. “Equal” has no independent answer of its own, "
+               "but was compared with the reference. A formula is read as printed, or reconstructed where "
+               "signs and fractions are lost in print, or assumed where the paper leaves a rule open.")
+        << table;
+}
+
+void add_about(Document& document, const SuiteReport& report)
+{
+    report::Definitions sources;
+    for (const Word& source : words<Source>) {
+        sources.items.emplace_back(source.name, source.meaning);
+    }
+    const output::BuildInfo build = output::build_info();
+    document
+        << Heading{2, "How to read and repeat this", "about"} << Heading{3, "What “holds” means"}
+        << Text(
+               "A check holds when it compared at least one number for each of its quantities and every difference "
+               "is at most the allowed one. A check that compared nothing, met a value that is no number, or "
+               "stopped with an error fails.")
+        << Text(
+               "An equation holds when no check of it fails and at least one of the levels L0 to L3, which compare "
+               "the program with answers found without it, holds for at least one version of the program; the "
+               "table says for which. Levels L4 and L5, and checks of the answers against one another (“once”), "
+               "can make an equation fail but not hold. What was not run is neither.")
+        << Heading{3, "Where allowed differences come from"} << sources
+        << Text(
+               "In the reasons, u is the largest relative error of one rounding: 2^-53 in double precision, 2^-24 in "
+               "single. gamma_n = n u / (1 - n u) is the largest relative error of n roundings in a row (N. J. "
+               "Higham, Accuracy and Stability of Numerical Algorithms, lemma 3.1).")
+        << Text("A bound is marked ") + Text("loose", Look::warn) +
+               " when it is more than 1,000 times what was found, and more than one rounding of the number: it may "
+               "be larger than it need be, and hide a small fault."
+        << Heading{3, "How to repeat it"} << Text(report.command, Look::code)
+        << Text(
+               "The same build on the same kind of processor gives the same numbers. The report is written four "
+               "times: report.html, report.md, report.json (everything, for programs) and junit.xml.")
+        << Text(std::string("Commit ") + build.commit + "; " + build.compiler + " ", Look::weak) +
+               Text(build.flags, Look::code) +
+               Text("; " + report.machine + "; " + std::to_string(report.threads) + " checks at once; " +
+                        report.date + ".",
+                    Look::weak);
+}
+
+/// Each on a line that starts like this.
+std::string lines(const std::vector<Reason>& reasons, const char* start)
+{
+    std::string text;
+    for (const Reason& reason : reasons) {
+        text.append(start).append(reason.who).append(": ").append(reason.why).append("\n");
+    }
+    return text;
+}
+
+} // namespace
+
+report::Document suite_document(const SuiteReport& report)
+{
+    Document document{std::string("Verification of aneurysm ") + output::build_info().version};
+    document << banner(report);
+    add_failures(document, report);
+    document << report::Contents{};
+    add_introduction(document, report);
+    document << Heading{3, "Which versions of the program"} << subjects_table(report)
+             << Heading{3, "How exactly"} << levels_table(report) << Heading{3, "What was not checked"}
+             << unchecked(report);
+    add_equations(document, report);
+    add_checks(document, report);
+    add_about(document, report);
+    return document;
+}
+
+std::string suite_text(const SuiteReport& report)
+{
+    const SuiteResult& suite = report.suite;
+    Table table{{"level", number("hold"), number("fail"), number("not run"), number("compared"),
+                 number("measured/allowed"), "largest in"}};
+    for (const Level level : levels) {
+        const Tally t = tally(suite, level);
+        table.rows.push_back(
+            {level_heading(level), std::to_string(t.holds), std::to_string(t.fails),
+             std::to_string(t.not_run), std::to_string(t.compared), shown(t.ratio),
+             t.closest == nullptr ? "" : std::string(t.where->check->id) + ", " + t.closest->name()});
+    }
+    return report::text(table) + lines(failures(suite), "FAILS      ") +
+           lines(not_run(suite), "not run    ") + headline(report.equations) + "\n" + verdict_of(suite) +
+           "\n";
+}
+
+} // namespace aneurysm::suite
