@@ -2,9 +2,7 @@
 #include "verification/bounds/frame_bounds.hpp"
 
 #include "common/vessel/body_force.hpp"
-#include "reference/growth.hpp"
 #include "reference/incompressible.hpp"
-#include "reference/rupture.hpp"
 #include "verification/bounds/seam_bounds.hpp"
 
 #include <algorithm>
@@ -40,7 +38,7 @@ FrameBounds::FrameBounds(const Scenario& scenario, const Vessel& vessel, double 
       kernel_(scenario.kernel.function, smoothing_length(scenario, dx)), wall_(vessel, scenario, rounding),
       ghosts_(scenario, wall_, dx, kernel_.support(), particle_mass(scenario, dx), rounding),
       openings_(scenario, wall_, dx, rounding), collisions_(wall_, dx, rounding),
-      record_(scenario, wall_, dx, rounding)
+      record_(scenario, wall_, dx, rounding), deform_(scenario, vessel.largest_radius(), dx)
 {
 }
 
@@ -161,48 +159,48 @@ FrameRange FrameBounds::finish(const SimulationState& start, const SimulationSta
     return range;
 }
 
-/// (21)-(23), (28), (13) and the criterion, by what F_b's range makes of them. Sums of positive terms and
-/// products: their units are counted.
+/// (21)-(23), (28), (13) and the criterion (bound B29): the reference's own end of a frame at both ends of
+/// F_b's range, since each number rises or falls with F_b; then the roundings of the formulas.
 void FrameBounds::bound_wall(const SimulationState& start, const SimulationState& end,
                              FrameRange& range) const
 {
+    if (!wall_.vessel().has_sac()) {
+        return;
+    }
     const AneurysmState& before = start.aneurysm;
     const AneurysmState& after = end.aneurysm;
-    AneurysmState& error = range.aneurysm_error;
-    const double F = 0.5 * (range.low.impact_force + range.high.impact_force);
-    const double F_error =
-        0.5 * (range.high.impact_force - range.low.impact_force) + rounding_.absolute(std::abs(F));
     const auto absolute = [&](double units) { return rounding_.absolute(units); };
-    error.radius = absolute(2 * after.radius);
-    error.thickness = absolute(2 * after.thickness);
-    error.displacement = absolute(after.displacement);
-    error.wall_velocity = absolute(std::abs(after.wall_velocity));
-    const bool alive = before.phase != Phase::ruptured && end.frame > scenario_->growth.warm_up_frames &&
-                       scenario_->aneurysm.shape != SacShape::none;
-    if (alive) {
-        const auto& g = scenario_->growth;
-        const auto& wall = scenario_->elastic_wall;
-        const double dt = scenario_->time.frame_s;
-        const reference::WallTissue tissue{
-            g.tissue_density_kg_m3, g.tissue_area_m2,         g.wave_speed_m_s,   g.elastin_stiffness_n_m,
-            g.elastin_area_m2,      g.collagen_stiffness_n_m, g.collagen_area_m2, g.wall_mass_kg};
-        const double compliance = reference::radius_increment(tissue, 1, before.radius, dt);
-        const double dR_error = compliance * F_error + absolute(14 * compliance * F);
-        const double sigma = scenario_->rupture.poisson_ratio;
-        error.radius += dR_error;
-        error.thickness +=
-            before.thickness * (sigma / before.radius + g.thinning_intensity_per_m) * dR_error +
-            absolute(6 * before.thickness);
-        const double push = std::abs(F) + wall.stiffness_n_m * std::abs(before.displacement);
-        error.wall_velocity += dt / wall.mass_kg * (F_error + absolute(5 * push));
-        error.displacement += dt * error.wall_velocity + absolute(2 * dt * std::abs(after.wall_velocity) +
-                                                                  std::abs(before.displacement));
-    }
-    const double P = end.aneurysm.radius > 0 ? range.low.critical_pressure : 0;
-    const double P_error =
-        P * (error.thickness / after.thickness + error.radius / after.radius) + absolute(16 * P);
+    AneurysmState soft = before;
+    AneurysmState hard = before;
+    const double P_soft = deform_(soft, end.frame, range.low.impact_force);
+    const double P_hard = deform_(hard, end.frame, range.high.impact_force);
+    const auto spread = [](double a, double value, double b) {
+        return std::max(std::abs(a - value), std::abs(b - value));
+    };
+
+    const bool alive = before.phase != Phase::ruptured && end.frame > scenario_->growth.warm_up_frames;
+    const auto& wall = scenario_->elastic_wall;
+    const double dt = alive ? scenario_->time.frame_s : 0; // afterwards nothing moves the wall
+    const double v = std::abs(after.wall_velocity);
+    const double dv = std::abs(after.wall_velocity - before.wall_velocity);
+    const double spring = wall.stiffness_n_m * std::abs(before.displacement);
+    const double R_rounding = absolute(after.radius + 14 * (after.radius - before.radius));
+    const double h_rounding = absolute(2 * after.thickness + 14 * (before.thickness - after.thickness));
+    const double v_rounding = absolute(v + 3 * dv + dt * spring / wall.mass_kg);
+    const double u_rounding = absolute(std::abs(after.displacement) + dt * v) + dt * v_rounding;
+
+    AneurysmState& error = range.aneurysm_error;
+    error.radius = spread(soft.radius, after.radius, hard.radius) + R_rounding;
+    error.thickness = spread(soft.thickness, after.thickness, hard.thickness) + h_rounding;
+    error.wall_velocity = spread(soft.wall_velocity, after.wall_velocity, hard.wall_velocity) + v_rounding;
+    error.displacement = spread(soft.displacement, after.displacement, hard.displacement) + u_rounding;
+    const double P = range.low.critical_pressure;
+    const double P_error = spread(P_soft, P, P_hard) +
+                           P * (h_rounding / after.thickness + R_rounding / after.radius) + absolute(16 * P);
     const double area = scenario_->rupture.conversion_area_m2;
-    range.rupture_open = alive && std::abs(F / area - P) <= F_error / area + P_error + absolute(2 * P);
+    const double P_margin = P_error + absolute(2 * P);
+    range.rupture_open = alive && range.low.impact_force / area <= P + P_margin &&
+                         range.high.impact_force / area >= P - P_margin;
     const auto widen = [&range](double FrameRecord::*member, double by) {
         range.low.*member -= by;
         range.high.*member += by;
@@ -210,9 +208,7 @@ void FrameBounds::bound_wall(const SimulationState& start, const SimulationState
     widen(&FrameRecord::radius, error.radius);
     widen(&FrameRecord::thickness, error.thickness);
     widen(&FrameRecord::displacement, error.displacement);
-    if (P > 0) {
-        widen(&FrameRecord::critical_pressure, P_error);
-    }
+    widen(&FrameRecord::critical_pressure, P_error);
 }
 
 } // namespace aneurysm::bounds

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "reference/deform.hpp"
 #include "reference/simulation.hpp"
 #include "verification/bounds/collision_bounds.hpp"
 #include "verification/bounds/ghost_bounds.hpp"
@@ -53,6 +54,7 @@ private:
     OpeningBounds openings_;
     CollisionBounds collisions_;
     RecordBounds record_;
+    reference::Deform deform_;
     std::optional<ParticleErrors> errors_;
     std::optional<InexactGhosts> frame_ghosts_;
     SimulationState begun_;
