@@ -58,7 +58,7 @@ FAULTS = [
     ("cuda/growth.hpp", THINNING, THINNING + THINNING, "2 times"),
     ("reference/growth.hpp", THINNING, THINNING + " // mutants.txt", "speaks of mutants"),
     ("common/vessel/geometry.hpp", "#pragma once", '#include "verification/sensitivity/hook.hpp"', "includes the hook"),
-    ("verification/checks/checks.hpp", "#pragma once", '#include "verification/bounds/step_bounds.hpp"', "reaches reference/"),
+    ("verification/checks/checks.hpp", "#pragma once", '#include "verification/bounds/step.hpp"', "reaches reference/"),
     (plant.TABLE, SITE, SITE.replace("`", ""), "between backticks"),
     (plant.TABLE, SITE, SITE.replace("`R`", "`R"), "between backticks"),
     (plant.TABLE, SITE, SITE.replace("`R`", "R * `sigma`").replace("R * sigma *", "R *"), "0 times"),

@@ -5,9 +5,9 @@
 #include "tests/support.hpp"
 #include "tests/vessels.hpp"
 #include "verification/bounds/inexact.hpp"
-#include "verification/bounds/kernel_bounds.hpp"
-#include "verification/bounds/opening_bounds.hpp"
-#include "verification/bounds/wall_bounds.hpp"
+#include "verification/bounds/kernel.hpp"
+#include "verification/bounds/opening.hpp"
+#include "verification/bounds/wall.hpp"
 
 #include <array>
 #include <numbers>

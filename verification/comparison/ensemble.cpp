@@ -2,7 +2,7 @@
 #include "verification/comparison/ensemble.hpp"
 
 #include "reference/simulation.hpp"
-#include "verification/bounds/frame_bounds.hpp"
+#include "verification/bounds/frame.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -5,7 +5,7 @@
 #include "output/columns.hpp"
 #include "reference/simulation.hpp"
 #include "verification/backends/float_state.hpp"
-#include "verification/bounds/frame_bounds.hpp"
+#include "verification/bounds/frame.hpp"
 
 #include <algorithm>
 #include <cmath>

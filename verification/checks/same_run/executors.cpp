@@ -59,7 +59,7 @@ private:
 
 constexpr const char* lockstep_bound = "running rounding errors: the reference makes the same frame from the "
                                        "candidate's bits and returns beside each sum that "
-                                       "of its terms' magnitudes; verification/*_bounds.hpp carry them "
+                                       "of its terms' magnitudes; verification/bounds/ carries them "
                                        "through forces, solve, motion and collisions";
 
 const comparison::AfterFrame go_on = [](const FrameRecord&) { return true; };

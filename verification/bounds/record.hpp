@@ -2,9 +2,9 @@
 #pragma once
 
 #include "reference/flow.hpp"
-#include "verification/bounds/collision_bounds.hpp"
+#include "verification/bounds/collision.hpp"
 #include "verification/bounds/particle_errors.hpp"
-#include "verification/bounds/step_bounds.hpp"
+#include "verification/bounds/step.hpp"
 
 #include <vector>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/bounds/opening_bounds.hpp"
+#include "verification/bounds/opening.hpp"
 
 #include "common/scenario/limits.hpp"
 #include "common/vessel/sampling.hpp"
 #include "reference/boundary.hpp"
-#include "verification/bounds/seam_bounds.hpp"
+#include "verification/bounds/seam.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "reference/flow.hpp"
 #include "verification/bounds/particle_errors.hpp"
-#include "verification/bounds/wall_bounds.hpp"
+#include "verification/bounds/wall.hpp"
 
 #include <cstdint>
 

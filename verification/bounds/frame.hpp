@@ -3,10 +3,10 @@
 
 #include "reference/deform.hpp"
 #include "reference/simulation.hpp"
-#include "verification/bounds/collision_bounds.hpp"
-#include "verification/bounds/ghost_bounds.hpp"
-#include "verification/bounds/opening_bounds.hpp"
-#include "verification/bounds/record_bounds.hpp"
+#include "verification/bounds/collision.hpp"
+#include "verification/bounds/ghost.hpp"
+#include "verification/bounds/opening.hpp"
+#include "verification/bounds/record.hpp"
 
 #include <optional>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/bounds/kernel_bounds.hpp"
+#include "verification/bounds/kernel.hpp"
 
 #include <algorithm>
 #include <cmath>

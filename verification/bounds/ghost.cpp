@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/bounds/ghost_bounds.hpp"
+#include "verification/bounds/ghost.hpp"
 
 #include "common/error.hpp"
 #include "common/vessel/initial_state.hpp"
@@ -93,7 +93,7 @@ InexactGhosts GhostBounds::at(const reference::Wall& wall) const
     }
     if (next != wall.ghosts.size()) {
         throw Error("wall bounds", "a ghost of the reference was not found on the lattice",
-                    "verification/ghost_bounds.cpp must follow common/sampling.cpp");
+                    "verification/bounds/ghost.cpp must follow common/vessel/sampling.cpp");
     }
     return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/bounds/wall_bounds.hpp"
+#include "verification/bounds/wall.hpp"
 
 #include "common/error.hpp"
 
@@ -138,7 +138,7 @@ InexactDistance WallBounds::wall(const InexactVec& x, const Inexact& R) const
         throw Error("wall bounds",
                     "another distance than the vessel's, by " + std::to_string(d.value.value - expected) +
                         " m",
-                    "verification/wall_bounds.cpp must follow common/geometry.hpp");
+                    "verification/bounds/wall.cpp must follow common/vessel/geometry.hpp");
     }
     return d;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/bounds/collision_bounds.hpp"
+#include "verification/bounds/collision.hpp"
 
 #include "common/guards.hpp"
-#include "verification/bounds/ghost_bounds.hpp"
+#include "verification/bounds/ghost.hpp"
 
 namespace aneurysm::bounds
 {

@@ -3,7 +3,7 @@
 
 #include "common/scenario/scenario.hpp"
 #include "verification/bounds/particle_errors.hpp"
-#include "verification/bounds/wall_bounds.hpp"
+#include "verification/bounds/wall.hpp"
 
 #include "common/frame.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/bounds/step_bounds.hpp"
+#include "verification/bounds/step.hpp"
 
 #include "reference/boundary.hpp"
-#include "verification/bounds/seam_bounds.hpp"
+#include "verification/bounds/seam.hpp"
 
 #include <algorithm>
 #include <cmath>

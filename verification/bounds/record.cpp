@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/bounds/record_bounds.hpp"
+#include "verification/bounds/record.hpp"
 
 #include <algorithm>
 #include <cmath>

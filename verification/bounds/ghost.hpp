@@ -3,7 +3,7 @@
 
 #include "common/vessel/sampling.hpp"
 #include "reference/flow.hpp"
-#include "verification/bounds/wall_bounds.hpp"
+#include "verification/bounds/wall.hpp"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include "common/scenario/scenario.hpp"
 #include "reference/flow.hpp"
 #include "verification/bounds/inexact.hpp"
-#include "verification/bounds/kernel_bounds.hpp"
+#include "verification/bounds/kernel.hpp"
 
 #include <array>
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/bounds/frame_bounds.hpp"
+#include "verification/bounds/frame.hpp"
 
 #include "common/vessel/body_force.hpp"
 #include "reference/incompressible.hpp"
-#include "verification/bounds/seam_bounds.hpp"
+#include "verification/bounds/seam.hpp"
 
 #include <algorithm>
 #include <cmath>

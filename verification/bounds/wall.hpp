@@ -13,7 +13,7 @@ struct InexactDistance {
     InexactVec gradient; ///< [1]
 };
 
-/// Rounding of the vessel's geometry: common/geometry.hpp operation by operation, with its constants rounded
+/// Rounding of the geometry in common/vessel/geometry.hpp operation by operation, with its constants rounded
 /// once. Places come with the error that they have already.
 class WallBounds
 {
