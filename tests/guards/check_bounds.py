@@ -72,7 +72,7 @@ def check(root):
 
 
 PLACE = "verification/checks/formulas/rupture.cpp"
-HEAD = "namespace aneurysm::verification\n{\n"
+HEAD = "namespace aneurysm::checks\n{\n"
 FAULTS = [
     (PLACE, HEAD, HEAD + "void f(Probe&) { " + fault + " }\n", expected)
     for fault, expected in [
