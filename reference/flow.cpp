@@ -2,11 +2,11 @@
 #include "reference/flow.hpp"
 
 #include "common/error.hpp"
-#include "common/guards.hpp"
 #include "common/scenario/limits.hpp"
 #include "common/vessel/body_force.hpp"
 #include "reference/boundary.hpp"
-#include "reference/rupture.hpp"
+#include "reference/containment.hpp"
+#include "reference/impact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,9 +47,12 @@ Flow::Flow(const Scenario& scenario, const Vessel& vessel, double dx, std::array
       kernel_(scenario.kernel.function, scenario.kernel.smoothing_length_spacings * dx),
       mass_(scenario.fluid.density_kg_m3 / lattice_kernel_sum(kernel_, dx)),
       controller_(scenario.controller, vessel, dx, std::move(slabs)),
-      solver_{scenario.fluid.density_kg_m3,          scenario.pressure.relaxation,
-              scenario.pressure.density_correction,  scenario.pressure.tolerance_per_s,
-              scenario.pressure.max_tolerance_per_s, scenario.pressure.max_iterations},
+      solver_{.rho_0 = scenario.fluid.density_kg_m3,
+              .relaxation = scenario.pressure.relaxation,
+              .density_correction = scenario.pressure.density_correction,
+              .tolerance = scenario.pressure.tolerance_per_s,
+              .max_tolerance = scenario.pressure.max_tolerance_per_s,
+              .max_iterations = scenario.pressure.max_iterations},
       density_(static_cast<std::size_t>(scenario.particles.count), scenario.fluid.density_kg_m3)
 {
     check_stability();
@@ -93,7 +96,7 @@ void Flow::step(SimulationState& state, const Wall& wall, double t, FrameRecord&
     move(step, state);
     show(FlowStage::moved, &step);
     record_flow(step, p, record);
-    record_impact(step, p, wall, g, record);
+    record_impact(*scenario_, *vessel_, dx_, step, p, wall, g, record);
     controller_.push_as_piston(p, record.inlet_velocity);
     for (const std::size_t k : {1U, 2U}) {
         if (state.outlet_velocity[k - 1] < 0) {
@@ -101,7 +104,7 @@ void Flow::step(SimulationState& state, const Wall& wall, double t, FrameRecord&
         }
     }
     show(FlowStage::held, &step);
-    handle_collisions(state, wall, record);
+    handle_collisions(*vessel_, dx_, state, wall, record);
     show(FlowStage::collided, &step);
     controller_.exchange(p, state.ledger);
     show(FlowStage::exchanged, &step);
@@ -323,81 +326,6 @@ void Flow::record_flow(const FlowStep& step, const Particles& p, FrameRecord& re
         ++count;
     }
     record.density_error_mean = excess / static_cast<double>(std::max<std::int64_t>(count, 1));
-}
-
-/// S of (16): blood beyond the sac's wall, or within the impact
-/// band before it, that has not been put back yet.
-std::vector<std::int64_t> Flow::impacting(const Particles& p, const Wall& wall) const
-{
-    const double band = scenario_->rupture.impact_band_spacings * dx_;
-    std::vector<std::int64_t> S;
-    for (std::size_t i = 0; vessel_->has_sac() && i < p.size(); ++i) {
-        const Vec3& x = p.position[i];
-        if (p.kind[i] == Kind::fluid && vessel_->sac(x, wall.radius).value < vessel_->tubes(x).value &&
-            vessel_->wall(x, wall.radius).value > -band) {
-            S.push_back(static_cast<std::int64_t>(i));
-        }
-    }
-    return S;
-}
-
-/// F_b of (16), with the pressure that drives the flow and,
-/// as a diagnostic, with (6) and the equation of state.
-void Flow::record_impact(const FlowStep& step, const Particles& p, const Wall& wall, const Vec3& g,
-                         FrameRecord& record) const
-{
-    const std::vector<std::int64_t> S = impacting(p, wall);
-    record.impact_count = static_cast<std::int64_t>(S.size());
-    std::vector<double> p_eos(S.empty() ? 0 : step.bodies.size());
-    for (std::size_t j = 0; j < p_eos.size(); ++j) {
-        p_eos[j] = equation_of_state(scenario_->pressure.stiffness_m2_s2, step.rho[j],
-                                     scenario_->fluid.density_kg_m3);
-    }
-    std::vector<Vec3> force(p.size());
-    std::vector<Vec3> force_eos(p.size());
-    for (const std::int64_t member : S) {
-        const auto i = static_cast<std::size_t>(member);
-        const Vec3 F_eos = pressure_force(step.bodies, step.neighbors.of(i), step.rho, p_eos, i);
-        force[i] = momentum_force(step.rho[i], g, step.F_viscosity[i], step.F_pressure[i]);
-        force_eos[i] = momentum_force(step.rho[i], g, step.F_viscosity[i], F_eos);
-    }
-    const Impact impact = impact_force(S, p.mass, step.rho, force);
-    if (record.impact_particle < 0 || impact.force > record.impact_force) {
-        record.impact_force = impact.force;
-        record.impact_particle = impact.particle;
-        record.impact_force_eos = impact_force(S, p.mass, step.rho, force_eos).force;
-    }
-}
-
-/// Fig. 1, and the way out through the breach.
-void Flow::handle_collisions(SimulationState& state, const Wall& wall, FrameRecord& record) const
-{
-    Particles& p = state.particles;
-    record.outside = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.kind[i] != Kind::fluid || !vessel_->between_openings(p.position[i])) {
-            continue;
-        }
-        Distance d = vessel_->wall(p.position[i], wall.radius);
-        if (d.value <= 0) {
-            continue;
-        }
-        if (wall.breach && wall.breach->contains(p.position[i])) {
-            p.kind[i] = Kind::escaped;
-            ++state.ledger.escaped;
-            continue;
-        }
-        ++record.collisions;
-        for (int k = 0; k < guards::collision_attempts && d.value > 0; ++k) {
-            const double slope = length(d.gradient);
-            const Collision after =
-                collide(p.position[i], p.velocity[i], d.value / slope, d.gradient / slope);
-            p.position[i] = after.position;
-            p.velocity[i] = after.velocity;
-            d = vessel_->wall(p.position[i], wall.radius);
-        }
-        record.outside += d.value > guards::outside<double> * dx_ ? 1 : 0;
-    }
 }
 
 } // namespace aneurysm::reference

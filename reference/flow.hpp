@@ -6,33 +6,14 @@
 #include "common/vessel/geometry.hpp"
 #include "common/vessel/sampling.hpp"
 #include "reference/controller.hpp"
+#include "reference/flow_step.hpp"
 #include "reference/incompressible.hpp"
 
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace aneurysm::reference
 {
-
-/// The wall as one flow step sees it.
-struct Wall {
-    double radius = 0; ///< of the sac, displacement included [m]
-    WallGhosts ghosts;
-    std::optional<Breach> breach;
-};
-
-/// What one flow step computes on the way.
-struct FlowStep {
-    Bodies bodies; ///< velocity: before the blood's own pressure acts
-    Neighbors neighbors;
-    std::vector<double> rho;       ///< by body, (5) [kg/m^3]
-    std::vector<Vec3> F_viscosity; ///< by particle, (7) [N/m^3]
-    std::vector<Vec3> F_outlet;    ///< by particle, (26) [N/m^3]
-    std::vector<double> pressure;  ///< by body, as the solve left it [Pa]
-    std::vector<Vec3> F_pressure;  ///< by particle [N/m^3]
-    std::vector<Vec3> velocity;    ///< by particle, at the end of the step [m/s]
-};
 
 /// The moments of a flow step at which an observer may look into it, in this order.
 enum class FlowStage {
@@ -117,10 +98,6 @@ private:
                                    std::vector<double>& pressure, std::vector<Vec3>& a) const;
     void move(const FlowStep& step, SimulationState& state) const;
     void record_flow(const FlowStep& step, const Particles& p, FrameRecord& record) const;
-    std::vector<std::int64_t> impacting(const Particles& p, const Wall& wall) const;
-    void record_impact(const FlowStep& step, const Particles& p, const Wall& wall, const Vec3& g,
-                       FrameRecord& record) const;
-    void handle_collisions(SimulationState& state, const Wall& wall, FrameRecord& record) const;
 
     const Scenario* scenario_;
     const Vessel* vessel_;

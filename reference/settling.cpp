@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a fresh lattice finds its place between the walls before frame 1.
 #include "common/guards.hpp"
+#include "reference/containment.hpp"
 #include "reference/flow.hpp"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ void Flow::push_apart(SimulationState& state, const Wall& wall) const
             p.position[i] = vessel_->wrapped(p.position[i] + dt_ * dt_ * a[i]);
         }
         controller_.push_as_piston(p, 0);
-        handle_collisions(state, wall, record);
+        handle_collisions(*vessel_, dx_, state, wall, record);
         controller_.exchange(p, state.ledger);
         p.velocity.assign(p.size(), {});
     }
