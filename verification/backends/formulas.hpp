@@ -53,63 +53,49 @@ using Inlet = decltype(Scenario::inlet);
 
 /// The scalar equations as one backend computes them, so that a check is written once for all. Arguments and
 /// units are those of the functions of the same names in reference/.
-class Equations
-{
-public:
-    Equations() = default;
-    virtual ~Equations() = default;
-    Equations(const Equations&) = delete;
-    Equations(Equations&&) = delete;
-    Equations& operator=(const Equations&) = delete;
-    Equations& operator=(Equations&&) = delete;
-
+struct Equations {
     // Section 3.1: (1), the kernel of (4)-(6), the Laplacian
     // of (7) with the support radius 2 h, (4), EOS; (15)
-    virtual Vec3 momentum_force(double rho, const Vec3& g, const Vec3& F_viscosity,
-                                const Vec3& F_pressure) const = 0;
-    virtual double kernel_value(KernelName name, double h, double r) const = 0;
-    virtual Vec3 kernel_gradient(KernelName name, double h, const Vec3& x) const = 0;
-    virtual double viscosity_laplacian(double h, double r) const = 0;
-    virtual double interpolate(KernelName name, double h, const Vec3& r,
-                               std::span<const Carrier> carriers) const = 0;
-    virtual double equation_of_state(double kappa, double rho, double rho_0) const = 0;
-    virtual Vec3 acceleration(double rho, const Vec3& force) const = 0;
+    Vec3 (*momentum_force)(double rho, const Vec3& g, const Vec3& F_viscosity, const Vec3& F_pressure);
+    double (*kernel_value)(KernelName name, double h, double r);
+    Vec3 (*kernel_gradient)(KernelName name, double h, const Vec3& x);
+    double (*viscosity_laplacian)(double h, double r);
+    double (*interpolate)(KernelName name, double h, const Vec3& r, std::span<const Carrier> carriers);
+    double (*equation_of_state)(double kappa, double rho, double rho_0);
+    Vec3 (*acceleration)(double rho, const Vec3& force);
 
     // Section 3.2: (8)-(14), (16) and the criterion
-    virtual double wall_stress(double P, double R, double h) const = 0;
-    virtual double thickness_differential(double sigma, double h, double R, double dR) const = 0;
-    virtual double porosity_differential(double sigma, double R, double dR) const = 0;
-    virtual double stress_of_porosity(double Y, double phi) const = 0;
-    virtual double radius_per_pressure(double P, double R, double h, double Y, double sigma,
-                                       double phi) const = 0;
-    virtual double critical_pressure(double h, double R, double Y, double sigma, double phi) const = 0;
-    virtual Vec3 impulse_force(double m, const Vec3& v, double dt) const = 0;
-    virtual Hit impact_force(std::span<const std::int64_t> S, double m, std::span<const double> density,
-                             std::span<const Vec3> force) const = 0;
-    virtual bool ruptures(double F_b, double area, double P_c) const = 0;
+    double (*wall_stress)(double P, double R, double h);
+    double (*thickness_differential)(double sigma, double h, double R, double dR);
+    double (*porosity_differential)(double sigma, double R, double dR);
+    double (*stress_of_porosity)(double Y, double phi);
+    double (*radius_per_pressure)(double P, double R, double h, double Y, double sigma, double phi);
+    double (*critical_pressure)(double h, double R, double Y, double sigma, double phi);
+    Vec3 (*impulse_force)(double m, const Vec3& v, double dt);
+    Hit (*impact_force)(std::span<const std::int64_t> S, double m, std::span<const double> density,
+                        std::span<const Vec3> force);
+    bool (*ruptures)(double F_b, double area, double P_c);
 
     // Section 3.3: (17)-(23)
-    virtual double net_wall_force(double F_B, double F_F, double F_P) const = 0;
-    virtual double tissue_force(const WallTissue& wall, double u_t) const = 0;
-    virtual double fiber_force(const WallTissue& wall, double epsilon) const = 0;
-    virtual double strain(double dR, double R) const = 0;
-    virtual double radius_increment(const WallTissue& wall, double F_B, double R, double dt) const = 0;
-    virtual double thickness_growing(double h, double R, double sigma, double dR) const = 0;
-    virtual double thickness_developed(double h, double alpha, double dR, double largest) const = 0;
+    double (*net_wall_force)(double F_B, double F_F, double F_P);
+    double (*tissue_force)(const WallTissue& wall, double u_t);
+    double (*fiber_force)(const WallTissue& wall, double epsilon);
+    double (*strain)(double dR, double R);
+    double (*radius_increment)(const WallTissue& wall, double F_B, double R, double dt);
+    double (*thickness_growing)(double h, double R, double sigma, double dR);
+    double (*thickness_developed)(double h, double alpha, double dR, double largest);
 
     // Section 3.4: (24)
-    virtual double daughter_radius(double r_0) const = 0;
+    double (*daughter_radius)(double r_0);
 
     // Section 3.5: (25)-(28) and Fig. 1
-    virtual double inlet_velocity(const Inlet& inlet, double t) const = 0;
-    virtual double outlet_pressure(double p_const, double rho_0, double v) const = 0;
-    virtual Vec3 outlet_pressure_force(double m_j, double rho_0, double p_const,
-                                       const Vec3& grad_W) const = 0;
-    virtual Vec3 wall_velocity() const = 0;
-    virtual WallMotion advance_elastic_wall(const WallMotion& wall, double F_fluid, double k, double m_wall,
-                                            double dt) const = 0;
-    virtual Rebound collide(const Vec3& position, const Vec3& velocity, double depth,
-                            const Vec3& n) const = 0;
+    double (*inlet_velocity)(const Inlet& inlet, double t);
+    double (*outlet_pressure)(double p_const, double rho_0, double v);
+    Vec3 (*outlet_pressure_force)(double m_j, double rho_0, double p_const, const Vec3& grad_W);
+    Vec3 (*wall_velocity)();
+    WallMotion (*advance_elastic_wall)(const WallMotion& wall, double F_fluid, double k, double m_wall,
+                                       double dt);
+    Rebound (*collide)(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n);
 };
 
 /// In double; both backends' scalar equations are double in either precision.
