@@ -6,8 +6,7 @@
 #include "common/process/progress.hpp"
 #include "output/columns.hpp"
 #include "output/file.hpp"
-#include "verification/backends/backend_for.hpp"
-#include "verification/bounds/inexact.hpp"
+#include "verification/backends/make_simulation.hpp"
 #include "verification/comparison/bits.hpp"
 #include "verification/comparison/free_run.hpp"
 #include "verification/comparison/hash_file.hpp"
@@ -46,9 +45,6 @@ void check(const CompareOptions& options)
     const std::string& mode = options.mode;
     require(mode == "lockstep" || mode == "free" || mode == "bits", "--mode", "unknown (" + mode + ")",
             "allowed: lockstep, free, bits");
-    const std::string& name = options.candidate.name;
-    require(name == "reference" || name == "cpu" || name == "cuda", "--candidate", "unknown (" + name + ")",
-            "allowed: reference, cpu, cuda");
     require(options.frames.value_or(1) >= 1, "--frames",
             "out of range (" + std::to_string(options.frames.value_or(1)) + ")", "allowed: at least 1");
     require(options.from >= 0, "--from", "out of range (" + std::to_string(options.from) + ")",
@@ -59,7 +55,6 @@ void check(const CompareOptions& options)
             "needed: --mode bits");
     require(options.record.empty() || options.from == 0, "--record", "hashes are recorded from frame 1 on",
             "needed: no --from");
-    bounds::unit_roundoff(options.candidate.precision);
     require_folder("--report", options.report);
     require_folder("--record", options.record);
 }
@@ -78,13 +73,13 @@ public:
         if (options.mode == "bits") {
             find_oracles();
         }
-        candidate_ = backends::make_backend_for(options.scenario, options.candidate, scenario_, std::nullopt);
+        candidate_ = backends::make_simulation(options.candidate, scenario_, std::nullopt, options.scenario);
     }
 
     comparison::ComparisonResult run();
     comparison::ComparisonTitle title() const
     {
-        return {options_.mode, scenario_.name, hash_, options_.candidate, candidate_->device()};
+        return {options_.mode, scenario_.name, hash_, options_.candidate, candidate_->engine().device};
     }
     /// There was nothing to compare with, only something to record.
     bool only_records() const { return options_.mode == "bits" && !twin_ && !recorded_; }
@@ -98,8 +93,8 @@ private:
     Scenario scenario_;
     std::string hash_;
     std::int64_t frames_;
-    std::unique_ptr<backends::Backend> candidate_;
-    std::unique_ptr<backends::Backend> twin_;
+    std::unique_ptr<Simulation> candidate_;
+    std::unique_ptr<Simulation> twin_;
     std::optional<comparison::RecordedHashes> recorded_;
 };
 
@@ -107,22 +102,14 @@ private:
 void Comparison::find_oracles()
 {
     const backends::BackendChoice& candidate = options_.candidate;
-    const bool is_twin = candidate.name == "cpu" && candidate.threads == 1;
-    if (candidate.name != "reference" && !is_twin) {
-        twin_ = backends::make_backend_for(options_.scenario, {"cpu", candidate.precision, 1, 0}, scenario_,
-                                           std::nullopt);
+    const bool is_twin = candidate.backend == Backend::cpu && candidate.threads == 1;
+    if (candidate.backend != Backend::reference && !is_twin) {
+        twin_ = backends::make_simulation({Backend::cpu, candidate.precision, 1}, scenario_, std::nullopt,
+                                          options_.scenario);
     }
-    const std::filesystem::path file =
-        comparison::hash_file(options_.scenario, scenario_, candidate.precision);
-    // The reference's bits are its own.
-    if (candidate.name != "reference" && options_.record.empty() && std::filesystem::exists(file)) {
+    const std::filesystem::path file = comparison::hash_file(options_.scenario, scenario_, candidate);
+    if (options_.record.empty() && std::filesystem::exists(file)) {
         recorded_ = comparison::read_hashes(file, scenario_.name, candidate.precision);
-    }
-    if (candidate.name == "reference" && options_.record.empty()) {
-        const std::filesystem::path own = comparison::hash_file(options_.scenario, scenario_, "reference");
-        if (std::filesystem::exists(own)) {
-            recorded_ = comparison::read_hashes(own, scenario_.name, candidate.precision);
-        }
     }
     require(!only_records() || !options_.record.empty(), "--mode bits", "there is nothing to compare with",
             "needed: another candidate, recorded hashes (" + file.string() + "), or --record");
@@ -168,16 +155,15 @@ comparison::ComparisonResult Comparison::run()
     };
     comparison::ComparisonResult result;
     if (advance_to_start(after_frame)) {
-        const std::string& precision = options_.candidate.precision;
         if (free) {
             comparison::FreeRunSettings settings;
             settings.frames = frames_;
             settings.members = options_.ensemble;
-            result = comparison::compare_free(scenario_, *candidate_, precision, settings, after_frame);
+            result = comparison::compare_free(scenario_, *candidate_, settings, after_frame);
         } else {
-            result = options_.mode == "bits" ? bits(after_frame)
-                                             : comparison::compare_lockstep(scenario_, *candidate_, precision,
-                                                                            frames_, after_frame);
+            result = options_.mode == "bits"
+                         ? bits(after_frame)
+                         : comparison::compare_lockstep(scenario_, *candidate_, frames_, after_frame);
         }
     }
     if (InterruptWatch::interrupted()) {

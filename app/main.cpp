@@ -3,6 +3,7 @@
 #include "app/compare.hpp"
 #include "app/info.hpp"
 #include "app/launch.hpp"
+#include "app/options.hpp"
 #include "app/reproduce.hpp"
 #include "app/run.hpp"
 #include "app/verify.hpp"
@@ -20,11 +21,12 @@ namespace
 {
 
 using namespace aneurysm;
+using app::add_choice;
+using app::add_choices;
 using app::CompareOptions;
 using app::ReproduceOptions;
 using app::RunOptions;
 using app::VerifyOptions;
-using backends::BackendChoice;
 
 struct InfoOptions {
     std::string scenario;
@@ -47,9 +49,8 @@ CLI::App* add_run(CLI::App& app, RunOptions& options)
     run->add_option("SCENARIO", options.scenario, "scenario file; with --resume it may be left out");
     run->add_option("--out", options.out,
                     "directory for the results; must not exist (default: results/NAME)");
-    run->add_option("--backend", options.backend.name, "who computes: reference, cpu, cuda")
-        ->capture_default_str();
-    run->add_option("--precision", options.backend.precision, "double, float")->capture_default_str();
+    add_choice(*run, "--backend", options.backend.backend, backend_names, "who computes");
+    add_choice(*run, "--precision", options.backend.precision, precision_names, "of its flow");
     add_tuning(*run, options.backend);
     run->add_option("--frames", options.frames, "run up to this frame instead of the scenario's last");
     run->add_flag("--resume", options.resume, "go on from the checkpoint in --out, to the same bits");
@@ -64,9 +65,8 @@ CLI::App* add_compare(CLI::App& app, CompareOptions& options)
 {
     CLI::App* compare = app.add_subcommand("compare", "Compare a backend with the reference");
     compare->add_option("SCENARIO", options.scenario, "scenario file")->required();
-    compare->add_option("--candidate", options.candidate.name, "who is compared: reference, cpu, cuda")
-        ->capture_default_str();
-    compare->add_option("--precision", options.candidate.precision, "double, float")->capture_default_str();
+    add_choice(*compare, "--candidate", options.candidate.backend, backend_names, "who is compared");
+    add_choice(*compare, "--precision", options.candidate.precision, precision_names, "of its flow");
     add_tuning(*compare, options.candidate);
     compare
         ->add_option("--mode", options.mode,
@@ -97,10 +97,9 @@ CLI::App* add_verify(CLI::App& app, VerifyOptions& options)
     verify->add_flag("--full", options.full, "all checks, minutes")->excludes(quick);
     verify->add_option("--only", options.only, "words of checks, equations (13) and levels (L2), by commas")
         ->delimiter(',');
-    verify->add_option("--backend", options.backends, "only these: reference, cpu, cuda (default: all)")
-        ->delimiter(',');
-    verify->add_option("--precision", options.precisions, "of cpu and cuda: double, float (default: both)")
-        ->delimiter(',');
+    add_choices(*verify, "--backend", options.backends, backend_names, "only these (default: all)");
+    add_choices(*verify, "--precision", options.precisions, precision_names,
+                "of cpu and cuda (default: both)");
     verify->add_option("--jobs", options.jobs, "checks at once; 0: as many as there are cores")
         ->capture_default_str();
     verify->add_flag("--baseline", options.baseline,
@@ -130,9 +129,8 @@ CLI::App* add_reproduce(CLI::App& app, ReproduceOptions& options)
     reproduce->add_option("ITEM", options.items, "table1 ... table4, fig4 ... fig10, errata, all (default)");
     reproduce->add_option("--out", options.out,
                           "directory for data, pictures and reproduction.html; its runs are used again");
-    reproduce->add_option("--backend", options.backend.name, "who computes: reference, cpu, cuda")
-        ->capture_default_str();
-    reproduce->add_option("--precision", options.backend.precision, "double, float")->capture_default_str();
+    add_choice(*reproduce, "--backend", options.backend.backend, backend_names, "who computes");
+    add_choice(*reproduce, "--precision", options.backend.precision, precision_names, "of its flow");
     reproduce->add_option("--seeds", options.seeds, "members of the ensembles")->capture_default_str();
     reproduce->add_option("--first-seed", options.first_seed,
                           "of the ensembles (default: 1); with --calibrate of the calibration");

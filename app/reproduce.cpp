@@ -57,7 +57,8 @@ std::string command_of(const ReproduceOptions& options)
         command += " " + item;
     }
     command += options.items.empty() ? " all" : "";
-    command += " --backend " + options.backend.name + " --precision " + options.backend.precision;
+    command += " --backend " + name_of(options.backend.backend) + " --precision " +
+               name_of(options.backend.precision);
     command += " --seeds " + std::to_string(options.seeds);
     command += options.first_seed ? " --first-seed " + std::to_string(*options.first_seed) : "";
     return command + " --out DIR";

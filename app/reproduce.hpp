@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "verification/backends/backend.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -14,7 +14,7 @@ namespace aneurysm::app
 struct ReproduceOptions {
     std::vector<std::string> items; ///< table1 ... fig10; empty or "all": all
     std::filesystem::path out;
-    backends::BackendChoice backend{"cpu", "float", 0, 0};
+    backends::BackendChoice backend{Backend::cpu, Precision::float_};
     int seeds = 24;                ///< members of an ensemble
     std::optional<int> first_seed; ///< of the ensemble, or with `calibrate` of the calibration
     int jobs = 0;                  ///< runs at once; 0: one a core

@@ -7,9 +7,9 @@
 #include "output/columns.hpp"
 #include "output/frames.hpp"
 #include "output/run_directory.hpp"
+#include "output/run_frames.hpp"
 #include "output/summary.hpp"
-#include "verification/backends/backend_for.hpp"
-#include "verification/backends/run_frames.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <iomanip>
 #include <iostream>
@@ -99,18 +99,18 @@ void print_summary(const Start& start, double rate)
 int run(const RunOptions& options)
 {
     const Start start = make_start(options);
-    const std::unique_ptr<backends::Backend> backend =
-        backends::make_backend_for(options.scenario, options.backend, start.scenario,
-                                   start.checkpoint ? std::optional(start.checkpoint->state) : std::nullopt);
-    const output::Engine engine{options.backend.name, options.backend.precision, backend->device()};
+    const std::unique_ptr<Simulation> backend = backends::make_simulation(
+        options.backend, start.scenario,
+        start.checkpoint ? std::optional(start.checkpoint->state) : std::nullopt, options.scenario);
     const InterruptWatch watch;
-    RunDirectory directory = start.checkpoint ? RunDirectory::resume(start.out, *start.checkpoint, engine)
-                                              : RunDirectory::create(start.out, start.scenario, engine);
+    RunDirectory directory = start.checkpoint
+                                 ? RunDirectory::resume(start.out, *start.checkpoint, backend->engine())
+                                 : RunDirectory::create(start.out, start.scenario, backend->engine());
     bool complete = false;
     double rate = 0;
     {
         Progress progress("frame", backend->state().frame, start.frames);
-        complete = backends::run_frames(
+        complete = output::run_frames(
             start.scenario, start.frames, *backend, directory,
             [&](const FrameRecord& record) { progress.show(record.frame, output::name_of(record.phase)); });
         rate = progress.per_second(backend->state().frame);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "verification/backends/backend.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <cstdint>
 #include <filesystem>

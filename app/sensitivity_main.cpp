@@ -62,7 +62,7 @@ sensitivity::SensitivityStudy run(const std::vector<const suite::Check*>& checks
     std::string shown;
     const InterruptWatch watch;
     return sensitivity::run_study(
-        checks, suite::make_subjects({"reference", "cpu"}), options,
+        checks, suite::make_subjects({Backend::reference, Backend::cpu}), options,
         [&](const std::string& part, std::int64_t done, std::int64_t all, const std::string& last) {
             if (part != shown) {
                 progress = std::make_unique<Progress>(part, 0, all);

@@ -35,8 +35,13 @@ std::string command_of(const VerifyOptions& options)
         }
     };
     add("--only", options.only);
-    add("--backend", options.backends);
-    add("--precision", options.precisions);
+    const auto words = [](const auto& values) {
+        std::vector<std::string> names;
+        std::ranges::transform(values, std::back_inserter(names), [](auto value) { return name_of(value); });
+        return names;
+    };
+    add("--backend", words(options.backends));
+    add("--precision", words(options.precisions));
     return command + " --out DIR";
 }
 

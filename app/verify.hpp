@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/backend.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,13 +11,13 @@ namespace aneurysm::app
 {
 
 struct VerifyOptions {
-    std::filesystem::path out;           ///< directory for the reports; must not exist, or be empty
-    bool quick = false;                  ///< only checks that take seconds; also without it
-    bool full = false;                   ///< also checks that take minutes
-    std::vector<std::string> only;       ///< see select; empty: all
-    std::vector<std::string> backends;   ///< see make_subjects; empty: all
-    std::vector<std::string> precisions; ///< of cpu and cuda; empty: both
-    int jobs = 0;                        ///< checks at once; 0: as many as there are cores
+    std::filesystem::path out;         ///< directory for the reports; must not exist, or be empty
+    bool quick = false;                ///< only checks that take seconds; also without it
+    bool full = false;                 ///< also checks that take minutes
+    std::vector<std::string> only;     ///< see select; empty: all
+    std::vector<Backend> backends;     ///< see make_subjects; empty: all
+    std::vector<Precision> precisions; ///< of cpu and cuda; empty: both
+    int jobs = 0;                      ///< checks at once; 0: as many as there are cores
 
     bool baseline = false;      ///< instead: recorded runs; `only` names scenarios then
     bool record = false;        ///< with `baseline`: write data/ anew

@@ -79,11 +79,6 @@ std::vector<Task> tasks_of(const std::vector<comparison::BaselineScenario>& scen
     return tasks;
 }
 
-std::string name_of(const backends::BackendChoice& choice)
-{
-    return suite::Subject{choice}.name();
-}
-
 void make(Outcome& outcome, const comparison::AfterFrame& after_frame)
 {
     const Task& task = *outcome.task;
@@ -158,8 +153,8 @@ void write(const fs::path& directory, const comparison::Baseline& baseline,
     for (const Outcome& outcome : outcomes) {
         const Task& task = *outcome.task;
         json["runs"].push_back({{"scenario", task.scenario->name},
-                                {"backend", task.choice.name},
-                                {"precision", task.choice.precision},
+                                {"backend", name_of(task.choice.backend)},
+                                {"precision", name_of(task.choice.precision)},
                                 {"frames", task.recorded->frames},
                                 {"verdict", outcome.verdict == suite::Verdict::holds   ? "identical"
                                             : outcome.verdict == suite::Verdict::fails ? "differs"
@@ -206,7 +201,8 @@ int compare(const VerifyOptions& options, const fs::path& data, const comparison
 int record(const fs::path& data, comparison::Baseline baseline)
 {
     const std::vector<comparison::BaselineScenario> scenarios = baseline.scenarios;
-    const std::vector<Task> tasks = tasks_of(scenarios, suite::make_subjects({"reference", "cpu"}));
+    const std::vector<Task> tasks =
+        tasks_of(scenarios, suite::make_subjects({Backend::reference, Backend::cpu}));
     const InterruptWatch watch;
     const std::vector<Outcome> outcomes = run(tasks);
     if (InterruptWatch::interrupted()) {

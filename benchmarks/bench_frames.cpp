@@ -8,17 +8,17 @@
 #include "benchmarks/machine.hpp"
 #include "common/error.hpp"
 #include "common/scenario/limits.hpp"
-#include "cuda/simulation.hpp"
-#include "reference/simulation.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <iomanip>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -33,14 +33,6 @@ struct Case {
     Scenario scenario;
     double paper_cpu = 0; ///< FPS of the paper's Table 3; 0: it has none
     double paper_gpu = 0;
-};
-
-/// Something that makes frames; `profile` is empty for the reference.
-struct Engine {
-    std::function<FrameRecord()> advance;
-    std::function<std::vector<std::pair<std::string, double>>()> profile;
-    std::function<std::pair<double, double>()> pairs; ///< of free particles, and with ghosts
-    double bytes_per_particle = 0;
 };
 
 Scenario with_count(const std::filesystem::path& data, std::int64_t count)
@@ -73,40 +65,6 @@ std::vector<Case> cases(const std::filesystem::path& data)
     return all;
 }
 
-Engine reference_engine(const Scenario& scenario)
-{
-    const auto simulation = std::make_shared<reference::Simulation>(scenario);
-    return {[simulation] { return simulation->advance(); }, [] { return decltype(Engine().profile()){}; },
-            [] {
-                return std::pair{0.0, 0.0};
-            },
-            0};
-}
-
-Engine device_engine(std::shared_ptr<device::Simulation> simulation, double particles)
-{
-    return {[simulation] { return simulation->advance(); },
-            [simulation] { return simulation->take_profile(); },
-            [simulation] {
-                const auto [free, ghosts] = simulation->pairs();
-                return std::pair{static_cast<double>(free), static_cast<double>(free + ghosts)};
-            },
-            static_cast<double>(simulation->bytes()) / particles};
-}
-
-Engine make_engine(const Scenario& scenario, const std::string& backend, device::Precision precision,
-                   int threads)
-{
-    if (backend == "reference") {
-        return reference_engine(scenario);
-    }
-    const device::Tuning tuning{threads, 0, device::Tuning::Gradients::automatic};
-    auto simulation = backend == "cpu"
-                          ? device::make_cpu_simulation(scenario, precision, tuning, std::nullopt)
-                          : device::make_gpu_simulation(scenario, precision, tuning, std::nullopt);
-    return device_engine(std::move(simulation), static_cast<double>(scenario.particles.count));
-}
-
 /// Sums over the timed frames, as counters.
 struct Tally {
     double count = 0;
@@ -127,24 +85,23 @@ struct Tally {
     }
 };
 
-void frames(benchmark::State& state, const Case& c, const std::string& backend, device::Precision precision,
-            int threads, int start_up)
+void frames(benchmark::State& state, const Case& c, const backends::BackendChoice& choice, int start_up)
 {
     const auto particles = static_cast<double>(c.scenario.particles.count);
-    Engine engine;
+    std::unique_ptr<Simulation> simulation;
     try {
-        engine = make_engine(c.scenario, backend, precision, threads);
+        simulation = backends::make_simulation(choice, c.scenario, std::nullopt);
     } catch (const Error& error) {
         state.SkipWithError(error.what());
         return;
     }
     for (int frame = 0; frame < start_up; ++frame) {
-        engine.advance();
+        simulation->advance();
     }
-    engine.profile();
+    simulation->take_profile();
     Tally tally;
     for ([[maybe_unused]] auto _ : state) { // NOLINT(clang-analyzer-deadcode.DeadStores)
-        tally.add(engine.advance());
+        tally.add(simulation->advance());
     }
     auto& counters = state.counters;
     const double n = tally.count;
@@ -156,10 +113,12 @@ void frames(benchmark::State& state, const Case& c, const std::string& backend, 
     counters["density_error_max"] = tally.density_max;
     counters["divergence_mean_per_s"] = tally.divergence_mean / n;
     counters["divergence_max_per_s"] = tally.divergence_max;
-    counters["bytes_per_particle"] = engine.bytes_per_particle;
-    for (const auto& [pass, seconds] : engine.profile()) {
+    counters["bytes_per_particle"] = static_cast<double>(simulation->bytes()) / particles;
+    for (const auto& [pass, seconds] : simulation->take_profile()) {
         counters["ms_" + pass] = 1e3 * seconds / n;
-        const auto [free, all] = engine.pairs();
+        const auto [free_pairs, ghost_pairs] = simulation->pairs();
+        const auto free = static_cast<double>(free_pairs);
+        const auto all = static_cast<double>(free_pairs + ghost_pairs);
         if (pass == "pressure") { // two passes over all pairs of free particles in every evaluation of (3)
             counters["ns_per_pair"] = 1e9 * seconds / (2 * free * (tally.iterations + n));
         } else if (pass == "neighbors") {
@@ -252,23 +211,23 @@ std::string table(const std::vector<benchmark::BenchmarkReporter::Run>& runs, co
 }
 
 /// Frames that are timed: some ten seconds of them.
-int timed_frames(const std::string& backend, std::int64_t particles)
+int timed_frames(Backend backend, std::int64_t particles)
 {
-    const double per_second = backend == "reference" ? 2e5 : backend == "cpu" ? 1.5e6 : 2e8;
+    const double per_second = backend == Backend::reference ? 2e5 : backend == Backend::cpu ? 1.5e6 : 2e8;
     return static_cast<int>(std::clamp(10 * per_second / static_cast<double>(particles), 3.0, 1000.0));
 }
 
 void register_all(const std::vector<Case>& all)
 {
     const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
-    const auto add = [](const Case& c, const std::string& backend, device::Precision precision, int threads) {
-        const std::string suffix = backend == "reference"                    ? ""
-                                   : precision == device::Precision::single_ ? "/float"
-                                                                             : "/double";
-        const std::string team = backend == "cpu" ? "/threads:" + std::to_string(threads) : "";
+    const auto add = [](const Case& c, Backend backend, Precision precision, int threads) {
+        const std::string words = name_of(backend) +
+                                  (backend == Backend::reference ? "" : "/" + name_of(precision)) +
+                                  (backend == Backend::cpu ? "/threads:" + std::to_string(threads) : "");
         const int timed = timed_frames(backend, c.scenario.particles.count);
-        benchmark::RegisterBenchmark(("frames/" + c.name + "/" + backend + suffix + team).c_str(), frames, c,
-                                     backend, precision, threads, std::min(timed, 100))
+        benchmark::RegisterBenchmark(("frames/" + c.name + "/" + words).c_str(), frames, c,
+                                     backends::BackendChoice{backend, precision, threads},
+                                     std::min(timed, 100))
             ->Iterations(timed)
             ->Unit(benchmark::kMillisecond)
             ->UseRealTime();
@@ -288,14 +247,14 @@ void register_all(const std::vector<Case>& all)
     }
     for (const Case& c : all) {
         if (c.scenario.particles.count < 100'000) {
-            add(c, "reference", device::Precision::double_, 1);
+            add(c, Backend::reference, Precision::double_, 1);
         }
         for (const int threads : teams) {
-            add(c, "cpu", device::Precision::single_, threads);
+            add(c, Backend::cpu, Precision::float_, threads);
         }
-        add(c, "cpu", device::Precision::double_, teams.back());
-        add(c, "cuda", device::Precision::single_, 0);
-        add(c, "cuda", device::Precision::double_, 0);
+        add(c, Backend::cpu, Precision::double_, teams.back());
+        add(c, Backend::cuda, Precision::float_, 0);
+        add(c, Backend::cuda, Precision::double_, 0);
     }
 }
 

@@ -12,10 +12,20 @@ namespace aneurysm
 class Error : public std::runtime_error
 {
 public:
-    Error(const std::string& where, const std::string& what, const std::string& advice)
-        : std::runtime_error(where + ": " + what + "; " + advice)
+    Error(const std::string& where, const std::string& fault, const std::string& advice)
+        : std::runtime_error(where + ": " + fault + "; " + advice), where_(where), fault_(fault),
+          advice_(advice)
     {
     }
+
+    const std::string& where() const { return where_; }
+    const std::string& fault() const { return fault_; }
+    const std::string& advice() const { return advice_; }
+
+private:
+    std::string where_;
+    std::string fault_;
+    std::string advice_;
 };
 
 /// Bad input: nothing was computed and nothing was written.

@@ -11,6 +11,7 @@
 #include "cuda/simulation.hpp"
 
 #include <string>
+#include <type_traits>
 
 namespace aneurysm::device
 {
@@ -36,10 +37,14 @@ public:
         stale_ = true; // what was uploaded may have been rounded
     }
 
-    std::string device() const override { return executor_.device(); }
+    Engine engine() const override
+    {
+        return {Executor::backend, std::is_same_v<Real, float> ? Precision::float_ : Precision::double_,
+                executor_.device()};
+    }
     std::size_t bytes() const override { return executor_.bytes(); }
     std::vector<std::pair<std::string, double>> take_profile() override { return executor_.take_profile(); }
-    std::pair<std::int64_t, std::int64_t> pairs() override
+    std::pair<std::int64_t, std::int64_t> pairs() const override
     {
         return {lane_count * std::int64_t{scene_.free_blocks},
                 lane_count * std::int64_t{scene_.ghost_blocks}};
@@ -63,7 +68,7 @@ public:
         return scene_.record;
     }
 
-    const SimulationState& state() override
+    const SimulationState& state() const override
     {
         if (stale_) {
             arrays_.download(state_);
@@ -71,8 +76,8 @@ public:
         }
         return state_;
     }
-    const std::vector<double>& density() override { return density_ = arrays_.density(); }
-    const std::vector<double>& solved_pressure() override
+    const std::vector<double>& density() const override { return density_ = arrays_.density(); }
+    const std::vector<double>& solved_pressure() const override
     {
         return solved_pressure_ = arrays_.solved_pressure();
     }
@@ -158,11 +163,12 @@ private:
     Index n_;
     Arrays<Executor, Real> arrays_;
     Passes<Executor, Real> passes_;
-    SimulationState state_;
     Scene scene_{};
-    bool stale_ = false;
-    std::vector<double> density_;
-    std::vector<double> solved_pressure_;
+    // Downloaded when asked for.
+    mutable SimulationState state_;
+    mutable bool stale_ = false;
+    mutable std::vector<double> density_;
+    mutable std::vector<double> solved_pressure_;
 };
 
 } // namespace aneurysm::device

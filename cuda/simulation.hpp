@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "common/frame.hpp"
-#include "common/scenario/scenario.hpp"
+#include "common/simulation.hpp"
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace aneurysm::device
 {
-
-enum class Precision { single_, double_ };
 
 /// How the optimized backend runs; none of it changes a bit of any result.
 struct Tuning {
@@ -25,38 +20,6 @@ struct Tuning {
     /// Blocks of eight that there is room for at first, in the lists of free neighbors and in those of
     /// ghosts; they grow when a frame needs more. 0: what a lattice needs.
     int list_blocks = 0;
-};
-
-/// The whole model of the paper in device memory, frame by frame; the same physics as reference::Simulation.
-class Simulation
-{
-public:
-    Simulation() = default;
-    virtual ~Simulation() = default;
-    Simulation(const Simulation&) = delete;
-    Simulation(Simulation&&) = delete;
-    Simulation& operator=(const Simulation&) = delete;
-    Simulation& operator=(Simulation&&) = delete;
-
-    /// Where it runs, in words.
-    virtual std::string device() const = 0;
-    /// One frame. \throws SimulationError that names frame and particle; state() is then still that of the
-    /// last good frame
-    virtual FrameRecord advance() = 0;
-    /// Downloaded when asked for; numbers of single precision are exact in it.
-    virtual const SimulationState& state() = 0;
-    /// By particle, of the last flow step; rho_0 for what isn't blood [kg/m^3]
-    virtual const std::vector<double>& density() = 0;
-    /// By flow step of the last frame and particle, as each solve left it [Pa]
-    virtual const std::vector<double>& solved_pressure() = 0;
-
-    /// Device memory in use [bytes]
-    virtual std::size_t bytes() const = 0;
-    /// Pairs of the last frame's largest step: places in the lists of free neighbors and of ghosts, what
-    /// fills them up included.
-    virtual std::pair<std::int64_t, std::int64_t> pairs() = 0;
-    /// Seconds that each pass took since the last call, by name; empty where passes can't be told apart.
-    virtual std::vector<std::pair<std::string, double>> take_profile() = 0;
 };
 
 /// On the host's cores. From frame 0, or from a state of the same scenario, to the same bits.

@@ -9,7 +9,7 @@ std::unique_ptr<Simulation> make_cpu_simulation(const Scenario& scenario, Precis
                                                 const Tuning& tuning, std::optional<SimulationState> state)
 {
     CpuExecutor executor(tuning.threads);
-    if (precision == Precision::single_) {
+    if (precision == Precision::float_) {
         return std::make_unique<Model<CpuExecutor, float>>(std::move(executor), scenario, tuning, state);
     }
     return std::make_unique<Model<CpuExecutor, double>>(std::move(executor), scenario, tuning, state);

@@ -15,7 +15,7 @@ std::unique_ptr<Simulation> make_gpu_simulation(const Scenario& scenario, Precis
                                                 const Tuning& tuning, std::optional<SimulationState> state)
 {
     GpuExecutor executor(tuning.block_size);
-    if (precision == Precision::single_) {
+    if (precision == Precision::float_) {
         return std::make_unique<Model<GpuExecutor, float>>(std::move(executor), scenario, tuning, state);
     }
     return std::make_unique<Model<GpuExecutor, double>>(std::move(executor), scenario, tuning, state);

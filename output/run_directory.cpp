@@ -71,8 +71,8 @@ void refuse_other_engine(const Json& manifest, const Engine& engine, const fs::p
                              "needed: " + then);
         }
     };
-    check("backend", engine.backend);
-    check("precision", engine.precision);
+    check("backend", name_of(engine.backend));
+    check("precision", name_of(engine.precision));
 }
 
 } // namespace
@@ -187,8 +187,8 @@ void RunDirectory::close(RunStatus status, const std::string& message)
 void RunDirectory::write_manifest(RunStatus status, const std::string& message) const
 {
     Json json = provenance();
-    json["backend"] = engine_.backend;
-    json["precision"] = engine_.precision;
+    json["backend"] = name_of(engine_.backend);
+    json["precision"] = name_of(engine_.precision);
     json["device"] = engine_.device;
     json["started"] = started_;
     json["written"] = now_utc();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/backend.hpp"
 #include "output/checkpoint.hpp"
 #include "output/file.hpp"
 #include "output/vtk.hpp"
@@ -12,13 +13,6 @@
 
 namespace aneurysm::output
 {
-
-/// Who computes.
-struct Engine {
-    std::string backend;   ///< reference, cpu, cuda
-    std::string precision; ///< double, float
-    std::string device;    ///< in words
-};
 
 enum class RunStatus { running, finished, interrupted, failed };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "common/frame.hpp"
-#include "common/scenario/scenario.hpp"
+#include "common/simulation.hpp"
 #include "common/vessel/geometry.hpp"
 #include "common/vessel/sampling.hpp"
 #include "reference/flow.hpp"
@@ -14,8 +13,8 @@
 namespace aneurysm::reference
 {
 
-/// The whole model of the paper, frame by frame: the flow, and the aneurysm that it makes grow and rupture.
-class Simulation
+/// The model as the paper writes it, on one core.
+class Simulation final : public aneurysm::Simulation
 {
 public:
     /// Starts from frame 0: samples vessel and particles.
@@ -24,13 +23,8 @@ public:
     /// Continues from a state of the same scenario, to the same bits as a run without a break.
     Simulation(const Scenario& scenario, SimulationState state);
 
-    Simulation(const Simulation&) = delete; // its parts refer to one another
-    Simulation& operator=(const Simulation&) = delete;
-
-    /// One frame.
-    /// \throws SimulationError that names frame and particle;
-    /// state() is then still that of the last good frame
-    FrameRecord advance();
+    Engine engine() const override { return {Backend::reference, Precision::double_, "one CPU core"}; }
+    FrameRecord advance() override;
     /// The same, observed, and unless `solved_pressure` is empty without a solve of its own: by flow step and
     /// particle [Pa], it is taken as the solution of (3). Model eos has none and ignores it.
     /// \throws Error when it has another size than solved_pressure()
@@ -44,11 +38,9 @@ public:
     /// an ensemble varies when the solve stops.
     void set_tolerances(double mean, double largest) { flow_.set_tolerances(mean, largest); }
 
-    const SimulationState& state() const { return state_; }
-    /// By particle, of the last flow step; rho_0 for what isn't blood [kg/m^3]
-    const std::vector<double>& density() const { return flow_.density(); }
-    /// By flow step of the last frame and particle, as each solve left it [Pa]
-    const std::vector<double>& solved_pressure() const { return solved_pressure_; }
+    const SimulationState& state() const override { return state_; }
+    const std::vector<double>& density() const override { return flow_.density(); }
+    const std::vector<double>& solved_pressure() const override { return solved_pressure_; }
     const Vessel& vessel() const { return vessel_; }
 
 private:

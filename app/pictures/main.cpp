@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program `aneurysm-pictures`, which `aneurysm render` and
 // `aneurysm view` hand over to: all that needs VTK.
+#include "app/options.hpp"
 #include "app/pictures/render.hpp"
 #include "app/pictures/view.hpp"
 #include "common/error.hpp"
@@ -55,9 +56,8 @@ CLI::App* add_view(CLI::App& app, ViewOptions& o)
 {
     CLI::App* view = app.add_subcommand("view", "Simulate a scenario in a window");
     view->add_option("SCENARIO", o.scenario, "scenario file")->required();
-    view->add_option("--backend", o.backend.name, "who computes: reference, cpu, cuda")
-        ->capture_default_str();
-    view->add_option("--precision", o.backend.precision, "double, float")->capture_default_str();
+    app::add_choice(*view, "--backend", o.backend.backend, backend_names, "who computes");
+    app::add_choice(*view, "--precision", o.backend.precision, precision_names, "of its flow");
     view->add_option("--threads", o.backend.threads, "of backend cpu; 0: as many as pay")
         ->capture_default_str();
     view->add_option("--frames", o.frames, "stop at this frame instead of the scenario's last");

@@ -6,7 +6,7 @@
 #include "common/error.hpp"
 #include "output/pictures/display.hpp"
 #include "output/recorded_run.hpp"
-#include "verification/backends/backend_for.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -63,8 +63,8 @@ int view(const ViewOptions& options)
     const std::int64_t last = last_frame(options, scenario);
     const auto [width, height] = size_of(options.size);
     require_display();
-    std::unique_ptr<backends::Backend> backend =
-        backends::make_backend_for(options.scenario, options.backend, scenario, std::nullopt);
+    std::unique_ptr<Simulation> backend =
+        backends::make_simulation(options.backend, scenario, std::nullopt, options.scenario);
     const double spacing = backend->state().spacing;
     const pictures::Snapshot start{output::first_record(scenario),
                                    output::shown_particles({backend->state().particles, {}})};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "verification/backends/backend.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -12,7 +12,7 @@ namespace aneurysm::app
 
 struct ViewOptions {
     std::filesystem::path scenario;
-    backends::BackendChoice backend{.name = "cpu", .precision = "float"};
+    backends::BackendChoice backend{Backend::cpu, Precision::float_};
     std::optional<std::int64_t> frames; ///< where to stop; without: the scenario's last
     std::string size = "1400x900";      ///< of the window
     bool paused = false;                ///< at the start

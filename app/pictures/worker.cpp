@@ -7,7 +7,7 @@
 namespace aneurysm::app
 {
 
-Worker::Worker(std::unique_ptr<backends::Backend> backend, const pictures::Snapshot& start, std::int64_t last)
+Worker::Worker(std::unique_ptr<Simulation> backend, const pictures::Snapshot& start, std::int64_t last)
     : backend_(std::move(backend)), last_(last), newest_(start), thread_([this] { work(); })
 {
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "output/pictures/scene.hpp"
-#include "verification/backends/backend.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <condition_variable>
 #include <cstdint>
@@ -21,7 +21,7 @@ class Worker
 {
 public:
     /// Paused at first. `last`: the frame that it stops at.
-    Worker(std::unique_ptr<backends::Backend> backend, const pictures::Snapshot& start, std::int64_t last);
+    Worker(std::unique_ptr<Simulation> backend, const pictures::Snapshot& start, std::int64_t last);
     ~Worker(); ///< waits for the end of the frame
     Worker(const Worker&) = delete;
     Worker(Worker&&) = delete;
@@ -49,7 +49,7 @@ private:
         return error_.empty() && newest_.record.frame < last_ && (running_ || steps_ > 0);
     }
 
-    std::unique_ptr<backends::Backend> backend_; ///< the thread's alone
+    std::unique_ptr<Simulation> backend_; ///< the thread's alone
     std::int64_t last_;
     mutable std::mutex mutex_; ///< of all below
     std::condition_variable wake_;

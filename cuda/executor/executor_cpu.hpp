@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/backend.hpp"
 #include "cuda/executor/executor.hpp"
 #include "cuda/executor/team.hpp"
 
@@ -26,6 +27,8 @@ namespace aneurysm::device
 class CpuExecutor
 {
 public:
+    static constexpr Backend backend = Backend::cpu;
+
     /// `threads` 0: as many as the process may use cores.
     explicit CpuExecutor(int threads)
         : team_(std::make_unique<Team>(threads > 0 ? threads : available_cores()))

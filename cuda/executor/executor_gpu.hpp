@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/backend.hpp"
 #include "cuda/executor/cuda_api.hpp"
 #include "cuda/executor/executor.hpp"
 
@@ -170,6 +171,8 @@ static __global__ void set_condition(cudaGraphConditionalHandle condition, const
 class GpuExecutor
 {
 public:
+    static constexpr Backend backend = Backend::cuda;
+
     /// `block_size`: threads; 0: the default. \throws InputError when it isn't possible, Error without a GPU
     explicit GpuExecutor(int block_size) : block_(block_size > 0 ? block_size : 128)
     {

@@ -19,16 +19,14 @@ namespace
 using namespace aneurysm;
 
 /// Frames whose hashes are not the recorded ones; every frame must be recorded.
-int differing(const std::string& file, const std::string& precision, int threads, int frames)
+int differing(const std::string& file, Precision precision, int threads, int frames)
 {
     const Scenario scenario = read_scenario(file);
-    const auto recorded =
-        comparison::read_hashes(comparison::hash_file(file, scenario, precision), scenario.name, precision);
+    const auto recorded = comparison::read_hashes(
+        comparison::hash_file(file, scenario, {Backend::cpu, precision}), scenario.name, precision);
     device::Tuning tuning;
     tuning.threads = threads;
-    const auto simulation = device::make_cpu_simulation(
-        scenario, precision == "float" ? device::Precision::single_ : device::Precision::double_, tuning,
-        std::nullopt);
+    const auto simulation = device::make_cpu_simulation(scenario, precision, tuning, std::nullopt);
     int wrong = 0;
     for (int frame = 1; frame <= frames; ++frame) {
         simulation->advance();
@@ -37,8 +35,8 @@ int differing(const std::string& file, const std::string& precision, int threads
                           comparison::hashes_of(simulation->state()) == expected->second;
         wrong += same ? 0 : 1;
     }
-    std::cout << scenario.name << ", " << precision << ", " << threads << " threads: " << frames - wrong
-              << " of " << frames << " frames have the recorded bits\n";
+    std::cout << scenario.name << ", " << name_of(precision) << ", " << threads
+              << " threads: " << frames - wrong << " of " << frames << " frames have the recorded bits\n";
     return wrong;
 }
 
@@ -57,7 +55,7 @@ int main(int argc, char** argv)
     }
     try {
         int wrong = 0;
-        for (const char* precision : {"float", "double"}) {
+        for (const Precision precision : {Precision::float_, Precision::double_}) {
             for (const int threads : {1, 2}) {
                 wrong += differing(argv[1], precision, threads, frames);
             }

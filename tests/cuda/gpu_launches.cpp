@@ -29,7 +29,7 @@ SimulationState unsettled(const Scenario& scenario)
     return initial_state(scenario, sample(scenario, Vessel(scenario, r_1), r_1, {}), 1);
 }
 
-void show(Scenario scenario, const std::string& precision, int iterations)
+void show(Scenario scenario, Precision precision, int iterations)
 {
     // One step a frame at every resolution.
     scenario.time.frame_s =
@@ -42,10 +42,10 @@ void show(Scenario scenario, const std::string& precision, int iterations)
     const emulated_gpu::Asked asked = emulated_gpu::last_asked();
     const int reset = asked.loops.front();
     const int iteration = asked.loops.back();
-    std::cout << std::setw(9) << scenario.particles.count << std::setw(10) << precision << std::setw(9)
-              << asked.kernels << std::setw(9) << asked.copies << std::setw(9) << reset << std::setw(11)
-              << iteration << std::setw(12) << asked.kernels + iterations * iteration << std::setw(11)
-              << static_cast<double>(gpu->bytes()) / 1e6 << std::setw(16)
+    std::cout << std::setw(9) << scenario.particles.count << std::setw(10) << name_of(precision)
+              << std::setw(9) << asked.kernels << std::setw(9) << asked.copies << std::setw(9) << reset
+              << std::setw(11) << iteration << std::setw(12) << asked.kernels + iterations * iteration
+              << std::setw(11) << static_cast<double>(gpu->bytes()) / 1e6 << std::setw(16)
               << static_cast<double>(gpu->bytes()) / static_cast<double>(scenario.particles.count)
               << std::setw(11) << asked.to_device << std::setw(9) << asked.to_host << "\n";
 }
@@ -68,8 +68,8 @@ int main(int argc, char** argv)
                   << std::fixed << std::setprecision(1);
         for (int k = 3; k < argc; ++k) {
             scenario.particles.count = std::atoi(argv[k]);
-            show(scenario, "float", iterations);
-            show(scenario, "double", iterations);
+            show(scenario, Precision::float_, iterations);
+            show(scenario, Precision::double_, iterations);
         }
     } catch (const std::exception& error) {
         std::cerr << "gpu_launches: " << error.what() << "\n";

@@ -19,16 +19,16 @@ Scenario two_steps()
     return scenario;
 }
 
-std::unique_ptr<device::Simulation> simulate(const SimulationState& state, int list_blocks)
+std::unique_ptr<Simulation> simulate(const SimulationState& state, int list_blocks)
 {
     device::Tuning tuning;
     tuning.list_blocks = list_blocks;
-    return make_cpu_simulation(two_steps(), device::Precision::double_, tuning, state);
+    return make_cpu_simulation(two_steps(), Precision::double_, tuning, state);
 }
 
 SimulationState settled()
 {
-    return make_cpu_simulation(two_steps(), device::Precision::double_, {}, {})->state();
+    return make_cpu_simulation(two_steps(), Precision::double_, {}, {})->state();
 }
 /// Ghosts behind the first outlet start as blood: they have neighbors in the first step, and are ghosts
 /// again in the second.

@@ -30,12 +30,10 @@ Scenario quick()
     return scenario;
 }
 
-std::unique_ptr<device::Simulation> on_cpu(const Scenario& scenario, const std::string& precision,
-                                           const std::optional<SimulationState>& state)
+std::unique_ptr<Simulation> on_cpu(const Scenario& scenario, Precision precision,
+                                   const std::optional<SimulationState>& state)
 {
-    using device::Precision;
-    return make_cpu_simulation(scenario, precision == "float" ? Precision::single_ : Precision::double_, {},
-                               state);
+    return device::make_cpu_simulation(scenario, precision, {}, state);
 }
 
 void check_same(const FrameRecord& a, const FrameRecord& b)
@@ -78,8 +76,7 @@ struct Way {
 /// The first frame runs as it is asked for, the second is recorded, the third replayed.
 constexpr int frames = 3;
 
-void check_frames(const Scenario& scenario, const std::string& precision, const SimulationState& start,
-                  const Way& way)
+void check_frames(const Scenario& scenario, Precision precision, const SimulationState& start, const Way& way)
 {
     emulated_gpu::run_backwards(way.backwards);
     const auto gpu =
@@ -99,7 +96,7 @@ void check_frames(const Scenario& scenario, const std::string& precision, const 
 
 /// The state two frames before the first one that `is_wanted`: the graph that makes that one is replayed.
 template <class Predicate>
-SimulationState state_before(const Scenario& scenario, const std::string& precision, Predicate is_wanted)
+SimulationState state_before(const Scenario& scenario, Precision precision, Predicate is_wanted)
 {
     const auto cpu = on_cpu(scenario, precision, {});
     std::vector<SimulationState> states{cpu->state()};
@@ -201,7 +198,7 @@ BOOST_AUTO_TEST_CASE(prefix_sums_and_sorting_are_the_cpus)
 
 BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_at_the_start)
 {
-    for (const std::string precision : {"float", "double"}) {
+    for (const Precision precision : {Precision::float_, Precision::double_}) {
         const SimulationState start = on_cpu(quick(), precision, {})->state();
         check_frames(quick(), precision, start, {});
         check_frames(quick(), precision, start, {.block_size = 32, .backwards = true});
@@ -214,9 +211,9 @@ BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_when_a_slab_turns_round)
     const auto turns = [](const FrameRecord& last, const FrameRecord& record) {
         return last.outlet_velocity > 0 && record.outlet_velocity < 0;
     };
-    const SimulationState start = state_before(quick(), "float", turns);
-    check_frames(quick(), "float", start, {});
-    check_frames(quick(), "float", start, {.block_size = 64, .backwards = true});
+    const SimulationState start = state_before(quick(), Precision::float_, turns);
+    check_frames(quick(), Precision::float_, start, {});
+    check_frames(quick(), Precision::float_, start, {.block_size = 64, .backwards = true});
 }
 
 BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_through_rupture_and_escape)
@@ -227,8 +224,9 @@ BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_through_rupture_and_escape)
     const auto returns = [](const FrameRecord& last, const FrameRecord& record) {
         return record.ledger.escaped > last.ledger.escaped && record.ledger.inlet_in > last.ledger.inlet_in;
     };
-    check_frames(quick(), "double", state_before(quick(), "double", ruptures), {});
-    check_frames(quick(), "double", state_before(quick(), "double", returns), {.backwards = true});
+    check_frames(quick(), Precision::double_, state_before(quick(), Precision::double_, ruptures), {});
+    check_frames(quick(), Precision::double_, state_before(quick(), Precision::double_, returns),
+                 {.backwards = true});
 }
 
 BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_with_two_steps_a_frame_and_another_kernel)
@@ -237,7 +235,7 @@ BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_with_two_steps_a_frame_and_another_ker
     scenario.time.substeps = 2;
     scenario.kernel.function = KernelName::wendland_c2;
     scenario.pressure.relaxation = 0.3;
-    check_frames(scenario, "float", on_cpu(scenario, "float", {})->state(), {});
+    check_frames(scenario, Precision::float_, on_cpu(scenario, Precision::float_, {})->state(), {});
 }
 
 BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_with_an_equation_of_state)
@@ -246,14 +244,14 @@ BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_with_an_equation_of_state)
     scenario.pressure.model = PressureModel::eos;
     scenario.pressure.stiffness_m2_s2 = 2000;
     scenario.time.substeps = 4;
-    check_frames(scenario, "float", on_cpu(scenario, "float", {})->state(), {});
+    check_frames(scenario, Precision::float_, on_cpu(scenario, Precision::float_, {})->state(), {});
 }
 
 /// Blood that goes through seams, and open ends beside them.
 BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_in_periodic_domains)
 {
     const std::pair<std::string, std::string> runs[] = {
-        {"box", "double"}, {"slip_channel", "float"}, {"duct", "float"}};
+        {"box", Precision::double_}, {"slip_channel", Precision::float_}, {"duct", Precision::float_}};
     for (const auto& [name, precision] : runs) {
         Scenario scenario = read_scenario(ANEURYSM_DATA "/scenarios/verify_" + name + ".json");
         scenario.pressure.max_iterations = 20;
@@ -272,15 +270,15 @@ BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_when_lists_grow)
     Scenario scenario = quick();
     scenario.kernel.smoothing_length_spacings = 1.4;
     scenario.pressure.relaxation = 0.1;
-    check_frames(scenario, "float", on_cpu(scenario, "float", {})->state(), {});
+    check_frames(scenario, Precision::float_, on_cpu(scenario, Precision::float_, {})->state(), {});
 }
 
 BOOST_AUTO_TEST_CASE(a_sum_of_lanes_in_another_order_is_noticed)
 {
-    const SimulationState start = on_cpu(quick(), "float", {})->state();
+    const SimulationState start = on_cpu(quick(), Precision::float_, {})->state();
     emulated_gpu::misread_lanes(true);
-    const auto gpu = emulated_gpu::simulate(quick(), {"float"}, start);
-    const auto cpu = on_cpu(quick(), "float", start);
+    const auto gpu = emulated_gpu::simulate(quick(), {Precision::float_}, start);
+    const auto cpu = on_cpu(quick(), Precision::float_, start);
     gpu->advance();
     cpu->advance();
     emulated_gpu::misread_lanes(false);
@@ -289,10 +287,10 @@ BOOST_AUTO_TEST_CASE(a_sum_of_lanes_in_another_order_is_noticed)
 
 BOOST_AUTO_TEST_CASE(errors_name_device_call_place_and_cause)
 {
-    const SimulationState start = on_cpu(quick(), "float", {})->state();
+    const SimulationState start = on_cpu(quick(), Precision::float_, {})->state();
     const auto message = [&start](int block_size) -> std::string {
         try {
-            emulated_gpu::simulate(quick(), {"float", block_size}, start);
+            emulated_gpu::simulate(quick(), {Precision::float_, block_size}, start);
         } catch (const Error& error) {
             return error.what();
         }
@@ -319,9 +317,9 @@ BOOST_AUTO_TEST_CASE(a_frame_is_one_graph_of_as_many_kernels_for_any_number_of_p
     for (const int count : {700, 1500}) {
         Scenario scenario = quick();
         scenario.particles.count = count;
-        const SimulationState start = on_cpu(scenario, "float", {})->state();
+        const SimulationState start = on_cpu(scenario, Precision::float_, {})->state();
         emulated_gpu::execute(false);
-        const auto gpu = emulated_gpu::simulate(scenario, {"float"}, start);
+        const auto gpu = emulated_gpu::simulate(scenario, {Precision::float_}, start);
         gpu->advance();
         emulated_gpu::last_asked();
         gpu->advance();

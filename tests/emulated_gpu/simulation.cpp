@@ -11,21 +11,6 @@ namespace emulated_gpu
 namespace
 {
 
-class Emulated final : public Simulation
-{
-public:
-    explicit Emulated(std::unique_ptr<aneurysm::device::Simulation> simulation)
-        : simulation_(std::move(simulation))
-    {
-    }
-    aneurysm::FrameRecord advance() override { return simulation_->advance(); }
-    const aneurysm::SimulationState& state() override { return simulation_->state(); }
-    std::size_t bytes() const override { return simulation_->bytes(); }
-
-private:
-    std::unique_ptr<aneurysm::device::Simulation> simulation_;
-};
-
 using aneurysm::device::Extent;
 using aneurysm::device::GpuExecutor;
 using aneurysm::device::Index;
@@ -88,18 +73,15 @@ Sorted sort(const std::vector<int>& keys, int end)
     return {downloaded(gpu, sorted), downloaded(gpu, order), downloaded(gpu, starts)};
 }
 
-std::unique_ptr<Simulation> simulate(const aneurysm::Scenario& scenario, const Options& options,
-                                     const aneurysm::SimulationState& state)
+std::unique_ptr<aneurysm::Simulation> simulate(const aneurysm::Scenario& scenario, const Options& options,
+                                               const aneurysm::SimulationState& state)
 {
-    using aneurysm::device::Precision;
     using aneurysm::device::Tuning;
     Tuning tuning;
     tuning.block_size = options.block_size;
     tuning.gradients =
         options.computes_gradients ? Tuning::Gradients::computed : Tuning::Gradients::automatic;
-    const auto precision = options.precision == "float" ? Precision::single_ : Precision::double_;
-    return std::make_unique<Emulated>(
-        aneurysm::device::make_gpu_simulation(scenario, precision, tuning, state));
+    return aneurysm::device::make_gpu_simulation(scenario, options.precision, tuning, state);
 }
 
 } // namespace emulated_gpu

@@ -2,32 +2,16 @@
 // The simulation for the GPU on an emulated one.
 #pragma once
 
-#include "common/frame.hpp"
-#include "common/scenario/scenario.hpp"
+#include "common/simulation.hpp"
 
-#include <cstddef>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace emulated_gpu
 {
 
-class Simulation
-{
-public:
-    Simulation() = default;
-    virtual ~Simulation() = default;
-    Simulation(const Simulation&) = delete;
-    Simulation& operator=(const Simulation&) = delete;
-
-    virtual aneurysm::FrameRecord advance() = 0;
-    virtual const aneurysm::SimulationState& state() = 0;
-    virtual std::size_t bytes() const = 0;
-};
-
 struct Options {
-    std::string precision; ///< float, double
+    aneurysm::Precision precision;
     int block_size = 0;
     bool computes_gradients = false; ///< else as the executor likes it
 };
@@ -41,7 +25,7 @@ struct Sorted {
 };
 Sorted sort(const std::vector<int>& keys, int end);
 
-std::unique_ptr<Simulation> simulate(const aneurysm::Scenario& scenario, const Options& options,
-                                     const aneurysm::SimulationState& state);
+std::unique_ptr<aneurysm::Simulation> simulate(const aneurysm::Scenario& scenario, const Options& options,
+                                               const aneurysm::SimulationState& state);
 
 } // namespace emulated_gpu

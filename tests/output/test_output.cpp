@@ -15,7 +15,7 @@ using namespace aneurysm::test;
 namespace
 {
 
-const Engine engine{"reference", "double", "a test"};
+const Engine engine{Backend::reference, Precision::double_, "a test"};
 
 } // namespace
 
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(resuming_goes_back_to_the_checkpoint)
     }
     const Checkpoint checkpoint = read_checkpoint(RunDirectory::checkpoint_file(out));
     BOOST_TEST(contains(message_of([&] {
-                            RunDirectory::resume(out, checkpoint, {"cpu", "double", ""});
+                            RunDirectory::resume(out, checkpoint, {Backend::cpu, Precision::double_, ""});
                         }),
                         "backend"));
     BOOST_TEST(

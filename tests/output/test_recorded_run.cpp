@@ -16,7 +16,7 @@ using namespace aneurysm::test;
 namespace
 {
 
-const Engine engine{"reference", "double", "a test"};
+const Engine engine{Backend::reference, Precision::double_, "a test"};
 
 /// A run of three frames with particles for the first and the last.
 fs::path make_run(const fs::path& directory)

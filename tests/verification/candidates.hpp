@@ -2,9 +2,9 @@
 // Candidates for the comparisons: the reference itself, rounded to float or its mutants.
 #pragma once
 
+#include "common/simulation.hpp"
 #include "reference/simulation.hpp"
 #include "tests/vessels.hpp"
-#include "verification/backends/backend.hpp"
 #include "verification/backends/float_state.hpp"
 
 #include <functional>
@@ -43,20 +43,19 @@ struct Faults {
 };
 
 /// The reference as a candidate. In `float` it rounds all that it shows, and goes on from that.
-class Candidate final : public backends::Backend
+class Candidate final : public Simulation
 {
 public:
     /// `scenario` is what it computes, which may differ from what it should.
-    Candidate(const Scenario& scenario, const SimulationState& start, std::string precision,
-              Faults faults = {})
-        : precision_(std::move(precision)), faults_(std::move(faults)),
+    Candidate(const Scenario& scenario, const SimulationState& start, Precision precision, Faults faults = {})
+        : precision_(precision), faults_(std::move(faults)),
           simulation_(scenario, rounds() ? to_float(start) : start)
     {
         frame_.state = simulation_.state();
         frame_.density = simulation_.density();
     }
 
-    std::string device() const override { return "a test"; }
+    Engine engine() const override { return {Backend::reference, precision_, "a test"}; }
     FrameRecord advance() override
     {
         SimulationState start = frame_.state;
@@ -85,9 +84,9 @@ public:
     const std::vector<double>& solved_pressure() const override { return frame_.solved_pressure; }
 
 private:
-    bool rounds() const { return precision_ == "float"; }
+    bool rounds() const { return precision_ == Precision::float_; }
 
-    std::string precision_;
+    Precision precision_;
     Faults faults_;
     reference::Simulation simulation_;
     Frame frame_;

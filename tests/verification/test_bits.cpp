@@ -45,16 +45,16 @@ void flip(Frame& f)
 
 comparison::ComparisonResult compare_with_twin(const Faults& faults)
 {
-    Candidate candidate(quick(), start(), "float", faults);
-    Candidate twin(quick(), start(), "float");
+    Candidate candidate(quick(), start(), Precision::float_, faults);
+    Candidate twin(quick(), start(), Precision::float_);
     return comparison::compare_bits(candidate, {&twin, {}}, frames, go_on);
 }
 
 const comparison::RecordedHashes& recorded()
 {
     static const comparison::RecordedHashes result = [] {
-        comparison::RecordedHashes hashes{"quick", scenario_hash(quick()), "float", {}};
-        Candidate candidate(quick(), start(), "float");
+        comparison::RecordedHashes hashes{"quick", scenario_hash(quick()), Precision::float_, {}};
+        Candidate candidate(quick(), start(), Precision::float_);
         comparison::compare_bits(candidate, {}, frames, go_on, &hashes);
         return hashes;
     }();
@@ -63,7 +63,7 @@ const comparison::RecordedHashes& recorded()
 
 comparison::ComparisonResult compare_with_record(const Faults& faults, int count = frames)
 {
-    Candidate candidate(quick(), start(), "float", faults);
+    Candidate candidate(quick(), start(), Precision::float_, faults);
     return comparison::compare_bits(candidate, {nullptr, recorded()}, count, go_on);
 }
 
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(bits_one_of_them_is_found_and_named)
 
 BOOST_AUTO_TEST_CASE(bits_without_anything_to_compare_with_fail)
 {
-    Candidate candidate(quick(), start(), "float");
+    Candidate candidate(quick(), start(), Precision::float_);
     BOOST_TEST(!comparison::compare_bits(candidate, {}, frames, go_on).passed());
     BOOST_TEST(!compare_with_record({}, 0).passed());
     comparison::RecordedHashes other = recorded();
@@ -113,15 +113,16 @@ BOOST_AUTO_TEST_CASE(bits_recorded_hashes_are_read_back_and_checked)
     const auto file = scratch.path / "hashes.csv";
     const std::string text = comparison::to_csv(recorded());
     write_text(file, text);
-    BOOST_TEST((comparison::read_hashes(file, "quick", "float").frames == recorded().frames));
-    BOOST_TEST(comparison::read_hashes(file, "quick", "float").scenario_hash == scenario_hash(quick()));
-    const auto message = [&](const std::string& scenario, const std::string& precision) {
+    BOOST_TEST((comparison::read_hashes(file, "quick", Precision::float_).frames == recorded().frames));
+    BOOST_TEST(comparison::read_hashes(file, "quick", Precision::float_).scenario_hash ==
+               scenario_hash(quick()));
+    const auto message = [&](const std::string& scenario, Precision precision) {
         return message_of([&] { comparison::read_hashes(file, scenario, precision); });
     };
-    BOOST_TEST(contains(message("slow", "float"), "line 1: of another scenario"));
-    BOOST_TEST(contains(message("quick", "double"), "line 3: of another precision"));
+    BOOST_TEST(contains(message("slow", Precision::float_), "line 1: of another scenario"));
+    BOOST_TEST(contains(message("quick", Precision::double_), "line 3: of another precision"));
     write_text(file, text.substr(0, text.size() - 20));
-    BOOST_TEST(contains(message("quick", "float"), "line 8: unreadable"));
+    BOOST_TEST(contains(message("quick", Precision::float_), "line 8: unreadable"));
     write_text(file, "frame\n1\n");
-    BOOST_TEST(contains(message("quick", "float"), "no scenario, scenario_hash"));
+    BOOST_TEST(contains(message("quick", Precision::float_), "no scenario, scenario_hash"));
 }

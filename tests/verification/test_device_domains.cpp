@@ -48,15 +48,14 @@ SimulationState shaken(const Scenario& s)
     return state;
 }
 
-comparison::ComparisonResult compare(const Scenario& s, backends::Backend& candidate,
-                                     const std::string& precision, int frames)
+comparison::ComparisonResult compare(const Scenario& s, Simulation& candidate, Precision precision,
+                                     int frames)
 {
-    return comparison::compare_lockstep(s, candidate, precision, frames,
-                                        [](const FrameRecord&) { return true; });
+    return comparison::compare_lockstep(s, candidate, frames, [](const FrameRecord&) { return true; });
 }
-bool passes(const Scenario& s, const SimulationState& start, const std::string& precision, int frames)
+bool passes(const Scenario& s, const SimulationState& start, Precision precision, int frames)
 {
-    const auto candidate = backends::make_backend({"cpu", precision}, s, start);
+    const auto candidate = backends::make_simulation({Backend::cpu, precision}, s, start);
     return compare(s, *candidate, precision, frames).passed();
 }
 
@@ -88,7 +87,7 @@ BOOST_AUTO_TEST_CASE(domains_pass_in_lockstep_from_the_start)
         {
             const Scenario s = scenario(c.name);
             const SimulationState start = reference::Simulation(s).state();
-            for (const std::string precision : {"double", "float"}) {
+            for (const Precision precision : {Precision::double_, Precision::float_}) {
                 BOOST_TEST(passes(s, start, precision, c.frames), precision);
             }
         }
@@ -105,8 +104,8 @@ BOOST_AUTO_TEST_CASE(domains_pass_in_lockstep_when_blood_goes_through_seams)
             s.time.substeps = 2;
             const SimulationState start = shaken(s);
             const Vec3 box = make_vessel(s).period();
-            for (const std::string precision : {"double", "float"}) {
-                const auto candidate = backends::make_backend({"cpu", precision}, s, start);
+            for (const Precision precision : {Precision::double_, Precision::float_}) {
+                const auto candidate = backends::make_simulation({Backend::cpu, precision}, s, start);
                 BOOST_TEST(compare(s, *candidate, precision, 8).passed(), precision);
                 BOOST_TEST((through_seams(start, candidate->state()) > 0) == (length(box) > 0));
                 BOOST_TEST(in_box(candidate->state(), box));
@@ -122,9 +121,9 @@ BOOST_AUTO_TEST_CASE(domains_have_the_same_bits_on_one_and_two_threads)
         {
             const Scenario s = scenario(c.name);
             const SimulationState start = shaken(s);
-            for (const std::string precision : {"double", "float"}) {
-                const auto one = backends::make_backend({"cpu", precision, 1}, s, start);
-                const auto two = backends::make_backend({"cpu", precision, 2}, s, start);
+            for (const Precision precision : {Precision::double_, Precision::float_}) {
+                const auto one = backends::make_simulation({Backend::cpu, precision, 1}, s, start);
+                const auto two = backends::make_simulation({Backend::cpu, precision, 2}, s, start);
                 for (int frame = 0; frame < 8; ++frame) {
                     one->advance();
                     two->advance();
@@ -145,10 +144,10 @@ BOOST_AUTO_TEST_CASE(lockstep_finds_another_seam)
     Scenario wrong = right;
     wrong.domain.cells_x = 9;
     const SimulationState start = shaken(right);
-    Candidate good(right, start, "float");
-    Candidate bad(wrong, start, "float");
-    BOOST_TEST(compare(right, good, "float", 1).passed());
-    BOOST_TEST(!compare(right, bad, "float", 1).passed());
+    Candidate good(right, start, Precision::float_);
+    Candidate bad(wrong, start, Precision::float_);
+    BOOST_TEST(compare(right, good, Precision::float_, 1).passed());
+    BOOST_TEST(!compare(right, bad, Precision::float_, 1).passed());
 }
 
 BOOST_AUTO_TEST_CASE(lockstep_finds_a_wall_that_slips_and_another_swing_of_the_force)
@@ -157,8 +156,8 @@ BOOST_AUTO_TEST_CASE(lockstep_finds_a_wall_that_slips_and_another_swing_of_the_f
     const auto finds = [&](auto change) {
         Scenario wrong = right;
         change(wrong);
-        Candidate bad(wrong, shaken(right), "double");
-        return !compare(right, bad, "double", 2).passed();
+        Candidate bad(wrong, shaken(right), Precision::double_);
+        return !compare(right, bad, Precision::double_, 2).passed();
     };
     BOOST_TEST(!finds([](Scenario&) {}));
     BOOST_TEST(finds([](Scenario& s) { s.domain.wall = WallCondition::slip; }));

@@ -37,14 +37,13 @@ const SimulationState& start()
 
 comparison::ComparisonResult compare(const Scenario& computed, const Faults& faults = {}, int frames = 32)
 {
-    Candidate candidate(computed, start(), "float", faults);
+    Candidate candidate(computed, start(), Precision::float_, faults);
     comparison::FreeRunSettings settings;
     settings.frames = frames;
     settings.windows = 4;
     settings.members = 6;
     settings.false_alarm = 0.05; // few members make wide intervals; the seeds are fixed
-    return comparison::compare_free(brief(), candidate, "float", settings,
-                                    [](const FrameRecord&) { return true; });
+    return comparison::compare_free(brief(), candidate, settings, [](const FrameRecord&) { return true; });
 }
 
 bool is_red(const comparison::ComparisonResult& result, std::string_view name)

@@ -41,21 +41,20 @@ const SimulationState& start()
     return starts()[1];
 }
 
-comparison::ComparisonResult compare(const Scenario& right, backends::Backend& candidate,
-                                     const std::string& precision, int frames)
+comparison::ComparisonResult compare(const Scenario& right, Simulation& candidate, Precision precision,
+                                     int frames)
 {
-    return comparison::compare_lockstep(right, candidate, precision, frames,
-                                        [](const FrameRecord&) { return true; });
+    return comparison::compare_lockstep(right, candidate, frames, [](const FrameRecord&) { return true; });
 }
 
 /// A candidate that computes `scenario` as it is.
-comparison::ComparisonResult compare_right(const Scenario& right, const std::string& precision, int frames)
+comparison::ComparisonResult compare_right(const Scenario& right, Precision precision, int frames)
 {
     Candidate candidate(right, start(), precision);
     return compare(right, candidate, precision, frames);
 }
 
-comparison::ComparisonResult compare_faulty(const Faults& faults, const std::string& precision = "float",
+comparison::ComparisonResult compare_faulty(const Faults& faults, Precision precision = Precision::float_,
                                             int frames = 1)
 {
     Candidate candidate(scenario(), start(), precision, faults);
@@ -64,7 +63,7 @@ comparison::ComparisonResult compare_faulty(const Faults& faults, const std::str
 
 /// Another scenario is computed than should be, from frame 0: pressures,
 /// and with them the bounds, are still small.
-comparison::ComparisonResult compare_other(const Scenario& other, const std::string& precision)
+comparison::ComparisonResult compare_other(const Scenario& other, Precision precision)
 {
     Candidate candidate(other, starts()[0], precision);
     return compare(scenario(), candidate, precision, 5);
@@ -101,7 +100,7 @@ BOOST_AUTO_TEST_CASE(lockstep_the_reference_passes_in_both_precisions)
 {
     Scenario growing = scenario();
     growing.growth.warm_up_frames = 12;
-    for (const std::string precision : {"double", "float"}) {
+    for (const Precision precision : {Precision::double_, Precision::float_}) {
         const comparison::ComparisonResult result = compare_right(growing, precision, 15);
         BOOST_TEST(result.passed());
         BOOST_TEST(result.frames.size() == 15U);
@@ -116,7 +115,7 @@ BOOST_AUTO_TEST_CASE(lockstep_passes_through_rupture_and_bleeding)
     weak.growth.warm_up_frames = 12;
     weak.rupture.yield_limit_pa /= 1000;
     weak.rupture.breach_radius_radii *= 2;
-    const comparison::ComparisonResult result = compare_right(weak, "float", 25);
+    const comparison::ComparisonResult result = compare_right(weak, Precision::float_, 25);
     BOOST_TEST(result.passed());
     BOOST_TEST(reached(result, Phase::warm_up));
     BOOST_TEST(reached(result, Phase::ruptured));
@@ -126,44 +125,48 @@ BOOST_AUTO_TEST_CASE(lockstep_passes_with_substeps_and_with_the_equation_of_stat
 {
     Scenario fine = scenario();
     fine.time.substeps = 2;
-    BOOST_TEST(compare_right(fine, "float", 5).passed());
+    BOOST_TEST(compare_right(fine, Precision::float_, 5).passed());
     Scenario eos = scenario();
     eos.pressure.model = PressureModel::eos;
     eos.pressure.stiffness_m2_s2 = 100;
-    BOOST_TEST(compare_right(eos, "float", 5).passed());
-    Candidate wrong(scenario(), start(), "float");
-    BOOST_TEST(!compare(eos, wrong, "float", 1).passed());
+    BOOST_TEST(compare_right(eos, Precision::float_, 5).passed());
+    Candidate wrong(scenario(), start(), Precision::float_);
+    BOOST_TEST(!compare(eos, wrong, Precision::float_, 1).passed());
 }
 
 BOOST_AUTO_TEST_CASE(lockstep_nothing_compared_is_a_failure)
 {
-    BOOST_TEST(!compare_right(scenario(), "float", 0).passed());
+    BOOST_TEST(!compare_right(scenario(), Precision::float_, 0).passed());
 }
 
 BOOST_AUTO_TEST_CASE(lockstep_finds_another_viscosity)
 {
     Scenario other = scenario();
     other.fluid.viscosity_pa_s *= 1 + 1e-4;
-    BOOST_TEST(is_red(compare_other(other, "float"), "velocity [m/s]"));
+    BOOST_TEST(is_red(compare_other(other, Precision::float_), "velocity [m/s]"));
     other.fluid.viscosity_pa_s = scenario().fluid.viscosity_pa_s * (1 + 1e-12);
-    BOOST_TEST(is_red(compare_other(other, "double"), "velocity [m/s]"));
+    BOOST_TEST(is_red(compare_other(other, Precision::double_), "velocity [m/s]"));
 }
 
 BOOST_AUTO_TEST_CASE(lockstep_finds_other_constants)
 {
-    const auto finds = [](auto change, const char* precision, const char* field) {
+    const auto finds = [](auto change, Precision precision, const char* field) {
         Scenario other = scenario();
         change(other);
         return is_red(compare_other(other, precision), field);
     };
-    BOOST_TEST(finds([](Scenario& s) { s.fluid.density_kg_m3 *= 1 + 1e-4; }, "float", "density [kg/m^3]"));
-    BOOST_TEST(finds([](Scenario& s) { s.fluid.gravity_m_s2.y *= 1 + 1e-3; }, "float", "velocity [m/s]"));
-    BOOST_TEST(finds([](Scenario& s) { s.outlet.pressure_pa *= 1 + 1e-4; }, "float", "velocity [m/s]"));
     BOOST_TEST(
-        finds([](Scenario& s) { s.inlet.peak_velocity_m_s *= 1 + 1e-6; }, "float", "inlet_velocity_m_s"));
-    BOOST_TEST(finds([](Scenario& s) { s.rupture.impact_band_spacings *= 4; }, "float", "impact_count"));
-    BOOST_TEST(finds([](Scenario& s) { s.pressure.relaxation *= 0.8; }, "double", "iterations"));
-    BOOST_TEST(finds([](Scenario& s) { s.pressure.tolerance_per_s *= 2; }, "float",
+        finds([](Scenario& s) { s.fluid.density_kg_m3 *= 1 + 1e-4; }, Precision::float_, "density [kg/m^3]"));
+    BOOST_TEST(
+        finds([](Scenario& s) { s.fluid.gravity_m_s2.y *= 1 + 1e-3; }, Precision::float_, "velocity [m/s]"));
+    BOOST_TEST(
+        finds([](Scenario& s) { s.outlet.pressure_pa *= 1 + 1e-4; }, Precision::float_, "velocity [m/s]"));
+    BOOST_TEST(finds([](Scenario& s) { s.inlet.peak_velocity_m_s *= 1 + 1e-6; }, Precision::float_,
+                     "inlet_velocity_m_s"));
+    BOOST_TEST(
+        finds([](Scenario& s) { s.rupture.impact_band_spacings *= 4; }, Precision::float_, "impact_count"));
+    BOOST_TEST(finds([](Scenario& s) { s.pressure.relaxation *= 0.8; }, Precision::double_, "iterations"));
+    BOOST_TEST(finds([](Scenario& s) { s.pressure.tolerance_per_s *= 2; }, Precision::float_,
                      "solution of (3): residual_mean [1/s]"));
 }
 
@@ -223,7 +226,7 @@ BOOST_AUTO_TEST_CASE(lockstep_finds_a_fault_in_every_number_of_a_frame)
                                 });
                             }};
         if (name == "iterations") { // of a float candidate they are its own
-            BOOST_TEST(is_red(compare_faulty(faults, "double"), name));
+            BOOST_TEST(is_red(compare_faulty(faults, Precision::double_), name));
         } else {
             BOOST_TEST(!compare_faulty(faults).passed(), name);
         }

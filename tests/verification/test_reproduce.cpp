@@ -17,11 +17,11 @@ using namespace aneurysm;
 namespace
 {
 
-const backends::BackendChoice cpu{"cpu", "float", 1, 0};
+const backends::BackendChoice cpu{Backend::cpu, Precision::float_, 1, 0};
 
 std::vector<FrameRecord> run(const Scenario& scenario, const backends::BackendChoice& choice)
 {
-    const std::unique_ptr<backends::Backend> backend = backends::make_backend(choice, scenario, std::nullopt);
+    const std::unique_ptr<Simulation> backend = backends::make_simulation(choice, scenario, std::nullopt);
     std::vector<FrameRecord> records;
     while (std::ssize(records) < scenario.time.frames) {
         records.push_back(backend->advance());
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_reference_runs_by_the_same_walls)
 {
     Scenario scenario = quick();
     scenario.time.frames = 120;
-    const std::vector<FrameRecord> records = run(scenario, {"reference", "double", 1, 0});
+    const std::vector<FrameRecord> records = run(scenario, {Backend::reference, Precision::double_, 1, 0});
     const reproduction::WallHistory history = reproduction::wall_along(scenario, records);
     BOOST_TEST(history.frames.back().thickness == records.back().thickness);
     BOOST_TEST(history.frames.back().critical_pressure == records.back().critical_pressure);

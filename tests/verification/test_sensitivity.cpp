@@ -74,7 +74,7 @@ sensitivity::SensitivityStudy run_study(const std::vector<suite::Check>& checks,
     for (const suite::Check& c : checks) {
         chosen.push_back(&c);
     }
-    return sensitivity::run_study(chosen, suite::make_subjects({"reference", "cpu"}), options);
+    return sensitivity::run_study(chosen, suite::make_subjects({Backend::reference, Backend::cpu}), options);
 }
 
 constexpr sensitivity::Mutant in_stress{sensitivity::eq08_force, sensitivity::Side::reference,

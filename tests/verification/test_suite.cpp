@@ -83,7 +83,7 @@ std::vector<suite::SuiteSubject> reference_and_missing()
 {
     std::vector<suite::SuiteSubject> subjects(2);
     subjects[0].subject = suite::once();
-    subjects[1].subject.choice = {"cuda", "float", 1, 0};
+    subjects[1].subject.choice = {Backend::cuda, Precision::float_, 1, 0};
     subjects[1].missing = "no GPU: none";
     return subjects;
 }
@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(every_subject_has_its_turn_in_a_fixed_order)
     std::vector<suite::Check> checks{check_of("flows", compares(1)),
                                      check_of("equations", compares(1), suite::Scope::equations),
                                      check_of("once", compares(1), suite::Scope::once)};
-    std::vector<suite::SuiteSubject> subjects = suite::make_subjects({"reference", "cpu"});
+    std::vector<suite::SuiteSubject> subjects = suite::make_subjects({Backend::reference, Backend::cpu});
     for (const int threads : {1, 3}) {
         const suite::SuiteResult suite = suite_of(checks, subjects, threads);
         std::string order;
@@ -304,11 +304,11 @@ BOOST_AUTO_TEST_CASE(subjects_are_chosen_by_backend_and_precision)
         return text;
     };
     BOOST_TEST(names(suite::make_subjects()) == "reference* cpu double* cpu float cuda double cuda float ");
-    BOOST_TEST(names(suite::make_subjects({"cpu"}, {"float"})) == "cpu float* ");
-    BOOST_TEST(names(suite::make_subjects({"cpu", "reference"})) == "reference* cpu double* cpu float ");
+    BOOST_TEST(names(suite::make_subjects({Backend::cpu}, {Precision::float_})) == "cpu float* ");
+    BOOST_TEST(names(suite::make_subjects({Backend::cpu, Backend::reference})) ==
+               "reference* cpu double* cpu float ");
     BOOST_CHECK_THROW(suite::make_subjects({"gpu"}), InputError);
-    BOOST_CHECK_THROW(suite::make_subjects({"cpu"}, {"half"}), InputError);
-    BOOST_CHECK_THROW(suite::make_subjects({"reference"}, {"float"}), InputError);
+    BOOST_CHECK_THROW(suite::make_subjects({Backend::reference}, {Precision::float_}), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(all_checks_are_told_apart)

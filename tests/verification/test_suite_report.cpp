@@ -37,7 +37,7 @@ suite::Plot convergence()
 std::function<void(suite::Probe&)> compares(double x)
 {
     return [x](suite::Probe& probe) {
-        const bool single = probe.subject().choice.precision == "float";
+        const bool single = probe.subject().choice.precision == Precision::float_;
         const std::string bound = single ? "gamma_9 |x|, & <more> in float" : "gamma_3 |x|: three roundings";
         probe.quantity("x [m]", suite::Source::rounding, bound).within(x, 1, 0.5, "a < b & c");
         probe.note("order", 1.98, "predicted 2");
@@ -89,9 +89,9 @@ const std::vector<suite::Check>& checks()
 const suite::SuiteReport& sample()
 {
     static const suite::SuiteReport report = [] {
-        std::vector<suite::SuiteSubject> subjects = suite::make_subjects({"reference", "cpu"});
+        std::vector<suite::SuiteSubject> subjects = suite::make_subjects({Backend::reference, Backend::cpu});
         subjects.push_back(subjects.back());
-        subjects.back().subject.choice.name = "cuda";
+        subjects.back().subject.choice.backend = Backend::cuda;
         subjects.back().missing = "no GPU: <none>";
         suite::SuiteReport r;
         r.suite = suite::run_suite(suite::select(checks(), false, {}), std::move(subjects), 2);

@@ -3,17 +3,20 @@
 // Numerical Algorithms, section 3.3).
 #pragma once
 
+#include "common/backend.hpp"
 #include "common/vec3.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace aneurysm::bounds
 {
 
 /// Largest relative error of one rounding to `precision`: 2^-24 for float, 2^-53 for double.
-double unit_roundoff(const std::string& precision);
+constexpr double unit_roundoff(Precision precision)
+{
+    return precision == Precision::float_ ? 0x1p-24 : 0x1p-53;
+}
 
 /// What separates two computations of the same number, the reference's in double and the candidate's: both
 /// round, so one operation moves them apart by at most U = u_candidate + u_double of its result. Bounds are

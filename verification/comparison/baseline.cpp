@@ -171,11 +171,6 @@ const std::vector<std::string>& key_names()
     return names;
 }
 
-std::string recorded_as(const backends::BackendChoice& choice)
-{
-    return choice.name == "reference" ? choice.name : choice.precision;
-}
-
 Baseline read_baseline(const fs::path& data)
 {
     const fs::path file = data / "baseline.json";
@@ -194,8 +189,9 @@ Baseline read_baseline(const fs::path& data)
                 continue; // to be recorded
             }
             const fs::path hashes = hashes_of_run(data, scenario, run);
-            run.hashes = read_hashes(hashes, scenario.name,
-                                     run.recorded_as == "reference" ? "double" : run.recorded_as);
+            run.hashes = read_hashes(
+                hashes, scenario.name,
+                value_of<Precision>(run.recorded_as, precision_names).value_or(Precision::double_));
             if (digest_of(run.hashes) != run.digest) {
                 throw InputError(hashes.string(), "its digest is another (" + digest_of(run.hashes) + ")",
                                  "needed: the one recorded with " + file.string() + " (" + run.digest + ")");
@@ -227,7 +223,7 @@ void write_baseline(const fs::path& data, const Baseline& baseline)
 std::optional<BaselineRun> run_again(const Scenario& scenario, const backends::BackendChoice& choice,
                                      std::int64_t frames, const AfterFrame& after_frame)
 {
-    const std::unique_ptr<backends::Backend> backend = backends::make_backend(choice, scenario, std::nullopt);
+    const std::unique_ptr<Simulation> backend = backends::make_simulation(choice, scenario, std::nullopt);
     BaselineRun run;
     run.recorded_as = recorded_as(choice);
     run.frames = frames;

@@ -3,7 +3,7 @@
 // again on another machine or years later.
 #pragma once
 
-#include "verification/backends/backend.hpp"
+#include "verification/backends/make_simulation.hpp"
 #include "verification/comparison/hash_file.hpp"
 #include "verification/comparison/lockstep.hpp"
 
@@ -57,9 +57,6 @@ struct Baseline {
     std::string commit;
     std::vector<BaselineScenario> scenarios;
 };
-
-/// What a backend's run is kept under: the optimized backends have the same bits.
-std::string recorded_as(const backends::BackendChoice& choice);
 
 /// \param data  the folder data/
 /// \throws InputError for a file that isn't as it was written; hashes that don't belong to baseline.json

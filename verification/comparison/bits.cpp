@@ -32,7 +32,7 @@ void check_hashes(const std::vector<std::string>& hashes, const std::vector<std:
 
 } // namespace
 
-ComparisonResult compare_bits(backends::Backend& candidate, const BitsOracles& oracles, std::int64_t frames,
+ComparisonResult compare_bits(Simulation& candidate, const BitsOracles& oracles, std::int64_t frames,
                               const AfterFrame& after_frame, RecordedHashes* recording)
 {
     ComparisonResult result;

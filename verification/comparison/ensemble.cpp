@@ -106,8 +106,8 @@ FreeFrame one_frame_rounding(const bounds::FrameRange& range, const bounds::Part
     return half;
 }
 
-FreeRun run_member(const Scenario& scenario, SimulationState start, const std::string& precision,
-                   std::int64_t frames, std::int64_t window, int member, const FrameDone& done)
+FreeRun run_member(const Scenario& scenario, SimulationState start, Precision precision, std::int64_t frames,
+                   std::int64_t window, int member, const FrameDone& done)
 {
     const double unit = bounds::unit_roundoff(precision);
     const bounds::Rounding rounding(unit);
@@ -157,9 +157,9 @@ Vec3 momentum(const Particles& p)
     return sum;
 }
 
-std::vector<FreeRun> run_ensemble(const Scenario& scenario, const SimulationState& start,
-                                  const std::string& precision, std::int64_t frames, std::int64_t window,
-                                  int members, const FrameDone& done)
+std::vector<FreeRun> run_ensemble(const Scenario& scenario, const SimulationState& start, Precision precision,
+                                  std::int64_t frames, std::int64_t window, int members,
+                                  const FrameDone& done)
 {
     std::vector<FreeRun> runs(static_cast<std::size_t>(members) + 1);
     std::atomic<int> next = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/backend.hpp"
 #include "common/frame.hpp"
 #include "common/scenario/scenario.hpp"
 
@@ -35,8 +36,8 @@ using FrameDone = std::function<bool(const FrameRecord&)>;
 /// an ulp and after each frame within the bound of the candidate's rounding, deterministically.
 /// \param window  frames between two kept sets of particles
 /// \throws SimulationError of the first run that fails
-std::vector<FreeRun> run_ensemble(const Scenario& scenario, const SimulationState& start,
-                                  const std::string& precision, std::int64_t frames, std::int64_t window,
-                                  int members, const FrameDone& done);
+std::vector<FreeRun> run_ensemble(const Scenario& scenario, const SimulationState& start, Precision precision,
+                                  std::int64_t frames, std::int64_t window, int members,
+                                  const FrameDone& done);
 
 } // namespace aneurysm::comparison

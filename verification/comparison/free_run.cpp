@@ -202,8 +202,7 @@ ComparisonResult FreeComparison::result()
     return std::move(result_);
 }
 
-FreeRun run_candidate(backends::Backend& candidate, std::int64_t frames, std::int64_t window,
-                      const FrameDone& done)
+FreeRun run_candidate(Simulation& candidate, std::int64_t frames, std::int64_t window, const FrameDone& done)
 {
     FreeRun run;
     for (std::int64_t n = 1; n <= frames; ++n) {
@@ -221,13 +220,13 @@ FreeRun run_candidate(backends::Backend& candidate, std::int64_t frames, std::in
 
 } // namespace
 
-ComparisonResult compare_free(const Scenario& scenario, backends::Backend& candidate,
-                              const std::string& precision, const FreeRunSettings& settings,
-                              const AfterFrame& after_frame)
+ComparisonResult compare_free(const Scenario& scenario, Simulation& candidate,
+                              const FreeRunSettings& settings, const AfterFrame& after_frame)
 {
     const std::int64_t window = std::max<std::int64_t>(settings.frames / settings.windows, 1);
+    const Precision precision = candidate.engine().precision;
     SimulationState start = candidate.state();
-    if (precision == "float") {
+    if (precision == Precision::float_) {
         backends::round_to_float(start.particles);
     }
     std::mutex mutex;

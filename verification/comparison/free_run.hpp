@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "verification/backends/backend.hpp"
+#include "verification/backends/make_simulation.hpp"
 #include "verification/comparison/comparison.hpp"
 #include "verification/comparison/lockstep.hpp"
 
@@ -36,8 +36,7 @@ struct FreeRunSettings {
 ///
 /// Distances between particles are only reported.
 /// \param candidate  at the state that all start from
-ComparisonResult compare_free(const Scenario& scenario, backends::Backend& candidate,
-                              const std::string& precision, const FreeRunSettings& settings,
-                              const AfterFrame& after_frame);
+ComparisonResult compare_free(const Scenario& scenario, Simulation& candidate,
+                              const FreeRunSettings& settings, const AfterFrame& after_frame);
 
 } // namespace aneurysm::comparison

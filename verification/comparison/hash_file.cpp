@@ -60,11 +60,16 @@ std::vector<std::string> hashes_of(const SimulationState& state)
     return hashes;
 }
 
+std::string recorded_as(const backends::BackendChoice& choice)
+{
+    return choice.backend == Backend::reference ? name_of(choice.backend) : name_of(choice.precision);
+}
+
 std::filesystem::path hash_file(const std::filesystem::path& scenario_file, const Scenario& scenario,
-                                const std::string& precision)
+                                const backends::BackendChoice& choice)
 {
     return std::filesystem::absolute(scenario_file).parent_path().parent_path() / "hashes" /
-           (scenario.name + "." + precision + ".csv");
+           (scenario.name + "." + recorded_as(choice) + ".csv");
 }
 
 std::string to_csv(const RecordedHashes& hashes)
@@ -72,7 +77,7 @@ std::string to_csv(const RecordedHashes& hashes)
     std::ostringstream text;
     text << "# scenario " << hashes.scenario << "\n"
          << "# scenario_hash " << hashes.scenario_hash << "\n"
-         << "# precision " << hashes.precision << "\n"
+         << "# precision " << name_of(hashes.precision) << "\n"
          << "# version " << output::build_info().version << "\n"
          << header() << "\n";
     for (const auto& [frame, row] : hashes.frames) {
@@ -86,12 +91,13 @@ std::string to_csv(const RecordedHashes& hashes)
 }
 
 RecordedHashes read_hashes(const std::filesystem::path& file, const std::string& scenario,
-                           const std::string& precision)
+                           Precision precision)
 {
     const std::vector<std::byte> bytes = output::read_bytes(file);
     std::istringstream stream(
         std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())); // NOLINT
     RecordedHashes result;
+    bool has_precision = false;
     std::size_t number = 0;
     std::string line;
     while (std::getline(stream, line) && line.starts_with("# ")) {
@@ -107,15 +113,16 @@ RecordedHashes read_hashes(const std::filesystem::path& file, const std::string&
         } else if (key == "scenario_hash") {
             result.scenario_hash = value;
         } else if (key == "precision") {
-            require(value == precision, file, number, "of another precision (" + value + ")",
-                    "needed: " + precision);
-            result.precision = value;
+            require(value == name_of(precision), file, number, "of another precision (" + value + ")",
+                    "needed: " + name_of(precision));
+            result.precision = precision;
+            has_precision = true;
         }
     }
     ++number;
     const std::string as_written = "needed: the file as it was written";
-    require(!result.scenario.empty() && !result.scenario_hash.empty() && !result.precision.empty(), file,
-            number, "no scenario, scenario_hash or precision above", as_written);
+    require(!result.scenario.empty() && !result.scenario_hash.empty() && has_precision, file, number,
+            "no scenario, scenario_hash or precision above", as_written);
     require(line == header(), file, number, "other columns than this version hashes",
             "record the hashes again");
     while (std::getline(stream, line)) {

@@ -3,6 +3,7 @@
 
 #include "common/frame.hpp"
 #include "common/scenario/scenario.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,14 +24,17 @@ std::vector<std::string> hashes_of(const SimulationState& state);
 struct RecordedHashes {
     std::string scenario;      ///< its name
     std::string scenario_hash; ///< of its text then; another text, say with a new key, can have the same bits
-    std::string precision;
+    Precision precision = Precision::double_;
     std::map<std::int64_t, std::vector<std::string>> frames;
 };
 
-/// Where the hashes of a scenario file are kept: ../hashes/NAME.PRECISION.csv beside its folder. The bits of
-/// the reference are its own; its precision is called "reference".
+/// What a backend's bits are kept under: the optimized backends of one precision share theirs, those of the
+/// reference are its own.
+std::string recorded_as(const backends::BackendChoice& choice);
+
+/// Where the hashes of a scenario file are kept: ../hashes/NAME.RECORDED_AS.csv beside its folder.
 std::filesystem::path hash_file(const std::filesystem::path& scenario_file, const Scenario& scenario,
-                                const std::string& precision);
+                                const backends::BackendChoice& choice);
 
 /// CSV behind a comment that names scenario, the hash of its text,
 /// the precision and the version that made them.
@@ -39,6 +43,6 @@ std::string to_csv(const RecordedHashes& hashes);
 /// \throws InputError that names file and line when the file isn't as it was written, or is of another
 /// scenario or precision
 RecordedHashes read_hashes(const std::filesystem::path& file, const std::string& scenario,
-                           const std::string& precision);
+                           Precision precision);
 
 } // namespace aneurysm::comparison

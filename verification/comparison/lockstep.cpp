@@ -70,9 +70,10 @@ std::vector<std::string_view> exchange_columns()
 class Lockstep
 {
 public:
-    Lockstep(const Scenario& scenario, backends::Backend& candidate, const std::string& precision)
-        : scenario_(scenario), candidate_(candidate), is_double_(precision == "double"),
-          rounding_(bounds::unit_roundoff(precision)), unit_(bounds::unit_roundoff(precision)),
+    Lockstep(const Scenario& scenario, Simulation& candidate)
+        : scenario_(scenario), candidate_(candidate),
+          is_double_(candidate.engine().precision == Precision::double_),
+          unit_(bounds::unit_roundoff(candidate.engine().precision)), rounding_(unit_),
           reference_(scenario, candidate.state()),
           bounds_(scenario, reference_.vessel(), candidate.state().spacing, rounding_)
     {
@@ -93,10 +94,10 @@ private:
     void check_solve(const Pair& pair, const bounds::FrameRange& range, FrameCheck& check);
 
     const Scenario& scenario_;
-    backends::Backend& candidate_;
+    Simulation& candidate_;
     bool is_double_;
-    bounds::Rounding rounding_;
     double unit_;
+    bounds::Rounding rounding_;
     reference::Simulation reference_;
     bounds::FrameBounds bounds_;
     ComparisonResult result_;
@@ -332,11 +333,10 @@ ComparisonResult Lockstep::result()
 
 } // namespace
 
-ComparisonResult compare_lockstep(const Scenario& scenario, backends::Backend& candidate,
-                                  const std::string& precision, std::int64_t frames,
+ComparisonResult compare_lockstep(const Scenario& scenario, Simulation& candidate, std::int64_t frames,
                                   const AfterFrame& after_frame)
 {
-    Lockstep lockstep(scenario, candidate, precision);
+    Lockstep lockstep(scenario, candidate);
     std::string problem;
     try {
         for (std::int64_t n = 0; n < frames; ++n) {

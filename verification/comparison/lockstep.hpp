@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "verification/backends/backend.hpp"
+#include "verification/backends/make_simulation.hpp"
 #include "verification/comparison/comparison.hpp"
 
 #include <cstdint>
@@ -27,9 +27,7 @@ using AfterFrame = std::function<bool(const FrameRecord&)>;
 /// 1 % of such frames, or of particles with such decisions about them, fail.
 ///
 /// \param candidate  in the state that the comparison begins with; advanced by `frames`
-/// \param precision  of the candidate: float, double
-ComparisonResult compare_lockstep(const Scenario& scenario, backends::Backend& candidate,
-                                  const std::string& precision, std::int64_t frames,
+ComparisonResult compare_lockstep(const Scenario& scenario, Simulation& candidate, std::int64_t frames,
                                   const AfterFrame& after_frame);
 
 } // namespace aneurysm::comparison

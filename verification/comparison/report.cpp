@@ -67,8 +67,9 @@ output::Json to_json(const FieldResult& f)
 std::string report_text(const ComparisonTitle& title, const ComparisonResult& result)
 {
     std::ostringstream text;
-    text << title.mode << ": " << title.candidate.name << " (" << title.candidate.precision << ", "
-         << title.device << ") against the reference, scenario " << title.scenario << "\n";
+    text << title.mode << ": " << name_of(title.candidate.backend) << " ("
+         << name_of(title.candidate.precision) << ", " << title.device << ") against the reference, scenario "
+         << title.scenario << "\n";
     if (!result.fields.empty()) {
         text << report::text(table(result));
     }
@@ -99,8 +100,8 @@ std::string report_json(const ComparisonTitle& title, const ComparisonResult& re
     json["mode"] = title.mode;
     json["scenario"] = title.scenario;
     json["scenario_hash"] = title.scenario_hash;
-    json["backend"] = title.candidate.name;
-    json["precision"] = title.candidate.precision;
+    json["backend"] = name_of(title.candidate.backend);
+    json["precision"] = name_of(title.candidate.precision);
     json["threads"] = title.candidate.threads;
     json["block_size"] = title.candidate.block_size;
     json["device"] = title.device;

@@ -8,7 +8,7 @@
 #include "output/file.hpp"
 #include "output/frames.hpp"
 #include "output/run_directory.hpp"
-#include "verification/backends/run_frames.hpp"
+#include "output/run_frames.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -50,14 +50,15 @@ Made made(const fs::path& directory, const Scenario& scenario, const backends::B
     const auto is = [&json](const char* key, const std::string& value) {
         return json.value(key, "") == value;
     };
-    const bool same = is("scenario_hash", scenario_hash(scenario)) && is("backend", backend.name) &&
-                      is("precision", backend.precision) && is("commit", output::build_info().commit);
+    const bool same =
+        is("scenario_hash", scenario_hash(scenario)) && is("backend", name_of(backend.backend)) &&
+        is("precision", name_of(backend.precision)) && is("commit", output::build_info().commit);
     return {same, is("status", "finished") && json.value("frames", 0) == scenario.time.frames};
 }
 
 /// A run of the store, begun or gone on with.
 void make_run(const fs::path& directory, const Scenario& scenario, const backends::BackendChoice& choice,
-              const backends::OnFrame& on_frame)
+              const output::OnFrame& on_frame)
 {
     std::optional<output::Checkpoint> checkpoint;
     if (made(directory, scenario, choice).same &&
@@ -66,12 +67,12 @@ void make_run(const fs::path& directory, const Scenario& scenario, const backend
     } else {
         fs::remove_all(directory); // of another scenario or program, or without anything to go on from
     }
-    const std::unique_ptr<backends::Backend> backend = backends::make_backend(
+    const std::unique_ptr<Simulation> backend = backends::make_simulation(
         choice, scenario, checkpoint ? std::optional(checkpoint->state) : std::nullopt);
-    const output::Engine engine{choice.name, choice.precision, backend->device()};
-    output::RunDirectory run = checkpoint ? output::RunDirectory::resume(directory, *checkpoint, engine)
-                                          : output::RunDirectory::create(directory, scenario, engine);
-    backends::run_frames(scenario, scenario.time.frames, *backend, run, on_frame);
+    output::RunDirectory run = checkpoint
+                                   ? output::RunDirectory::resume(directory, *checkpoint, backend->engine())
+                                   : output::RunDirectory::create(directory, scenario, backend->engine());
+    output::run_frames(scenario, scenario.time.frames, *backend, run, on_frame);
 }
 
 /// Runs, taken by several threads one after the other; the first failure is kept and ends them all.
@@ -79,7 +80,7 @@ class Crew
 {
 public:
     Crew(const RunStore& store, std::vector<Scenario> scenarios, backends::BackendChoice choice)
-        : store_(store), scenarios_(std::move(scenarios)), choice_(std::move(choice))
+        : store_(store), scenarios_(std::move(scenarios)), choice_(choice)
     {
         for (const Scenario& scenario : scenarios_) {
             frames_ += scenario.time.frames;
@@ -151,7 +152,7 @@ private:
 } // namespace
 
 RunStore::RunStore(fs::path directory, backends::BackendChoice backend, int jobs)
-    : directory_(std::move(directory)), backend_(std::move(backend)),
+    : directory_(std::move(directory)), backend_(backend),
       jobs_(jobs > 0 ? jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency())))
 {
 }
@@ -177,7 +178,7 @@ void RunStore::make(const std::vector<Scenario>& scenarios)
     }
     // A GPU makes one run at a time; on a CPU runs side by side are faster than threads in each.
     const std::size_t at_once =
-        backend_.name == "cuda" ? 1 : std::min(missing.size(), static_cast<std::size_t>(jobs_));
+        backend_.backend == Backend::cuda ? 1 : std::min(missing.size(), static_cast<std::size_t>(jobs_));
     backends::BackendChoice choice = backend_;
     choice.threads = std::max(1, jobs_ / static_cast<int>(at_once));
     Crew(*this, std::move(missing), choice).run(at_once);

@@ -3,7 +3,7 @@
 
 #include "common/frame.hpp"
 #include "common/scenario/scenario.hpp"
-#include "verification/backends/backend.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <filesystem>
 #include <string>

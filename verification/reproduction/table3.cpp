@@ -35,7 +35,7 @@ double seconds_since(Clock::time_point start)
 /// Whole frames without output, after the start has settled.
 Speed measure(const Scenario& scenario, const backends::BackendChoice& choice, double seconds)
 {
-    const std::unique_ptr<backends::Backend> backend = backends::make_backend(choice, scenario, std::nullopt);
+    const std::unique_ptr<Simulation> backend = backends::make_simulation(choice, scenario, std::nullopt);
     constexpr std::int64_t first = 10;
     const Clock::time_point beginning = Clock::now();
     for (std::int64_t k = 0; k < first && (k == 0 || seconds_since(beginning) < seconds); ++k) {
@@ -67,10 +67,9 @@ double relative_speed(const Scenario& scenario, const Scenario& other, const bac
     constexpr std::int64_t turn = 20; // frames
     constexpr std::size_t fewest = 5; // turns
     constexpr std::size_t most = 25;  // before any wall ruptures
-    const std::unique_ptr<backends::Backend> backend = backends::make_backend(choice, scenario, std::nullopt);
-    const std::unique_ptr<backends::Backend> other_backend =
-        backends::make_backend(choice, other, std::nullopt);
-    const auto time_of_turn = [](backends::Backend& b) {
+    const std::unique_ptr<Simulation> backend = backends::make_simulation(choice, scenario, std::nullopt);
+    const std::unique_ptr<Simulation> other_backend = backends::make_simulation(choice, other, std::nullopt);
+    const auto time_of_turn = [](Simulation& b) {
         const Clock::time_point start = Clock::now();
         for (std::int64_t k = 0; k < turn; ++k) {
             b.advance();
@@ -105,9 +104,7 @@ std::vector<Column> columns()
     for (const suite::SuiteSubject& s : suite::make_subjects()) {
         backends::BackendChoice backend = s.subject.choice;
         backend.threads = 0; // all cores
-        const std::string name =
-            backend.name == "reference" ? "reference" : backend.name + " " + backend.precision;
-        all.push_back({name, backend, s.missing});
+        all.push_back({name_of(backend), backend, s.missing});
     }
     return all;
 }
@@ -128,8 +125,9 @@ std::vector<Claim> claims_about(const nlohmann::json& conditions, const Speeds& 
     };
     const nlohmann::json with = condition("TC2");
     const nlohmann::json without = condition("TC3");
-    const double ours = relative_speed(shipped_scenario(with.at("scenario")),
-                                       shipped_scenario(without.at("scenario")), {"cpu", "float"}, seconds);
+    const double ours =
+        relative_speed(shipped_scenario(with.at("scenario")), shipped_scenario(without.at("scenario")),
+                       {Backend::cpu, Precision::float_}, seconds);
     const auto theirs = [&](const char* column) {
         return ratio(with.at(column).get<double>(), without.at(column).get<double>());
     };

@@ -13,12 +13,12 @@ namespace
 {
 
 /// A flow that ends at Ctrl-C: checks make many frames.
-class Stoppable final : public backends::Backend
+class Stoppable final : public Simulation
 {
 public:
-    explicit Stoppable(std::unique_ptr<backends::Backend> backend) : backend_(std::move(backend)) {}
+    explicit Stoppable(std::unique_ptr<Simulation> backend) : backend_(std::move(backend)) {}
 
-    std::string device() const override { return backend_->device(); }
+    Engine engine() const override { return backend_->engine(); }
     FrameRecord advance() override
     {
         if (InterruptWatch::interrupted()) {
@@ -31,7 +31,7 @@ public:
     const std::vector<double>& solved_pressure() const override { return backend_->solved_pressure(); }
 
 private:
-    std::unique_ptr<backends::Backend> backend_;
+    std::unique_ptr<Simulation> backend_;
 };
 
 } // namespace
@@ -112,13 +112,14 @@ bool Quantity::loose() const
 
 std::string Subject::name() const
 {
-    return choice.name == "reference" ? choice.name : choice.name + " " + choice.precision;
+    return name_of(choice);
 }
 
-std::unique_ptr<backends::Backend> Probe::simulate(const Scenario& scenario,
-                                                   std::optional<SimulationState> state) const
+std::unique_ptr<Simulation> Probe::simulate(const Scenario& scenario,
+                                            std::optional<SimulationState> state) const
 {
-    return std::make_unique<Stoppable>(backends::make_backend(subject_->choice, scenario, std::move(state)));
+    return std::make_unique<Stoppable>(
+        backends::make_simulation(subject_->choice, scenario, std::move(state)));
 }
 
 Quantity& Probe::quantity(std::string name, Source source, std::string derivation)

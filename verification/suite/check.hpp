@@ -6,8 +6,8 @@
 #include "common/frame.hpp"
 #include "common/scenario/scenario.hpp"
 #include "output/report/plot.hpp"
-#include "verification/backends/backend.hpp"
 #include "verification/backends/formulas.hpp"
+#include "verification/backends/make_simulation.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -148,9 +148,9 @@ public:
     /// gamma_n of the subject's flow.
     double gamma(double n) const { return rounding(n, subject_->roundoff); }
 
-    /// A flow of the subject's. \throws InputError as make_backend does
-    std::unique_ptr<backends::Backend> simulate(const Scenario& scenario,
-                                                std::optional<SimulationState> state = {}) const;
+    /// A flow of the subject's. \throws InputError as make_simulation does
+    std::unique_ptr<Simulation> simulate(const Scenario& scenario,
+                                         std::optional<SimulationState> state = {}) const;
 
     /// A new line of the ledger; it stays valid as long as the probe.
     Quantity& quantity(std::string name, Source source, std::string derivation);

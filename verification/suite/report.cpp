@@ -141,12 +141,13 @@ void add_introduction(Document& document, const SuiteReport& report)
 
 std::string described(const SuiteSubject& s)
 {
-    const std::string& name = s.subject.choice.name;
-    if (name == "reference") {
+    const backends::BackendChoice& choice = s.subject.choice;
+    if (choice.backend == Backend::reference) {
         return "the plain version, which reads like the paper; 16 digits";
     }
-    return std::string("the fast version on ") + (name == "cpu" ? "a processor" : "a graphics card (GPU)") +
-           (s.subject.choice.precision == "double" ? "; 16 digits" : "; 7 digits");
+    return std::string("the fast version on ") +
+           (choice.backend == Backend::cpu ? "a processor" : "a graphics card (GPU)") +
+           (choice.precision == Precision::double_ ? "; 16 digits" : "; 7 digits");
 }
 
 Table subjects_table(const SuiteReport& report)

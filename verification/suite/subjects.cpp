@@ -12,38 +12,18 @@ namespace aneurysm::suite
 namespace
 {
 
-using Names = std::vector<std::string>;
-
-bool contains(const Names& names, const std::string& name)
+template <class Value>
+bool wants(const std::vector<Value>& chosen, Value value)
 {
-    return std::ranges::find(names, name) != names.end();
-}
-
-void check(const Names& backends, const Names& precisions)
-{
-    for (const std::string& name : backends) {
-        if (!contains({"reference", "cpu", "cuda"}, name)) {
-            throw InputError("--backend", "unknown (" + name + ")", "allowed: reference, cpu, cuda");
-        }
-    }
-    for (const std::string& name : precisions) {
-        bounds::unit_roundoff(name);
-    }
-    const bool only_reference = !backends.empty() && std::ranges::all_of(backends, [](const auto& name) {
-        return name == "reference";
-    });
-    if (only_reference && !precisions.empty() && !contains(precisions, "double")) {
-        throw InputError("--precision", "the reference has no other than double (" + precisions[0] + ")",
-                         "allowed: double");
-    }
+    return chosen.empty() || std::ranges::find(chosen, value) != chosen.end();
 }
 
 /// The equations of both precisions are the same functions of double, so the first subject stands for all.
-SuiteSubject optimized(const std::string& backend, const std::string& precision)
+SuiteSubject optimized(Backend backend, Precision precision)
 {
     SuiteSubject s{
         {{backend, precision, 1, 0}, nullptr, bounds::unit_roundoff(precision)}, "one CPU core", ""};
-    if (backend == "cuda") {
+    if (backend == Backend::cuda) {
         try {
             s.device = device::gpu_device();
         } catch (const Error& error) {
@@ -62,18 +42,17 @@ const Subject& once()
     return subject;
 }
 
-std::vector<SuiteSubject> make_subjects(const Names& backends, const Names& precisions)
+std::vector<SuiteSubject> make_subjects(const std::vector<Backend>& backends,
+                                        const std::vector<Precision>& precisions)
 {
-    check(backends, precisions);
-    const auto wanted = [&](const char* name) { return backends.empty() || contains(backends, name); };
     std::vector<SuiteSubject> subjects;
-    if (wanted("reference")) {
+    if (wants(backends, Backend::reference)) {
         subjects.push_back({once(), "one CPU core", ""});
     }
     bool has_equations = false;
-    for (const char* backend : {"cpu", "cuda"}) {
-        for (const char* precision : {"double", "float"}) {
-            if (!wanted(backend) || (!precisions.empty() && !contains(precisions, precision))) {
+    for (const Backend backend : {Backend::cpu, Backend::cuda}) {
+        for (const Precision precision : {Precision::double_, Precision::float_}) {
+            if (!wants(backends, backend) || !wants(precisions, precision)) {
                 continue;
             }
             SuiteSubject s = optimized(backend, precision);
@@ -87,6 +66,10 @@ std::vector<SuiteSubject> make_subjects(const Names& backends, const Names& prec
             }
             subjects.push_back(std::move(s));
         }
+    }
+    if (subjects.size() == 1 && subjects.front().subject.choice.backend == Backend::reference &&
+        !wants(precisions, Precision::double_)) {
+        throw InputError("--precision", "the reference has no other than double (float)", "allowed: double");
     }
     return subjects;
 }

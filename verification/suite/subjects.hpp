@@ -23,7 +23,7 @@ const Subject& once();
 /// \param backends    only these; one that is missing is bad input then. Empty: all
 /// \param precisions  of cpu and cuda; empty: double and float
 /// \throws InputError
-std::vector<SuiteSubject> make_subjects(const std::vector<std::string>& backends = {},
-                                        const std::vector<std::string>& precisions = {});
+std::vector<SuiteSubject> make_subjects(const std::vector<Backend>& backends = {},
+                                        const std::vector<Precision>& precisions = {});
 
 } // namespace aneurysm::suite

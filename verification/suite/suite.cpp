@@ -217,7 +217,7 @@ bool looks_at(const Check& check, const Subject& subject)
     case Scope::flows:
         return true;
     case Scope::backends:
-        return subject.choice.name != "reference";
+        return subject.choice.backend != Backend::reference;
     case Scope::once:
         break;
     }

@@ -41,7 +41,9 @@ EquationCell cell_of(const std::vector<const CheckResult*>& results, const std::
 /// Optimized subjects without formulas of their own share those of the one that has them.
 void share(std::vector<EquationCell>& cells, const std::vector<SuiteSubject>& subjects)
 {
-    const auto is_optimized = [](const SuiteSubject& s) { return s.subject.choice.name != "reference"; };
+    const auto is_optimized = [](const SuiteSubject& s) {
+        return s.subject.choice.backend != Backend::reference;
+    };
     for (std::size_t owner = 0; owner < subjects.size(); ++owner) {
         const bool owns = subjects[owner].subject.equations != nullptr && is_optimized(subjects[owner]);
         if (!owns || cells[owner].state == EquationCell::State::none) {

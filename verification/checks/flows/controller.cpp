@@ -111,7 +111,7 @@ public:
     const Opening& end(std::size_t k) const { return vessel_.openings().at(k); }
 
     /// Makes the step.
-    std::unique_ptr<backends::Backend> step(const Scene& scene, FrameRecord& record) const
+    std::unique_ptr<Simulation> step(const Scene& scene, FrameRecord& record) const
     {
         Scenario s = scenario_;
         s.outlet.pressure_pa = scene.p_const;

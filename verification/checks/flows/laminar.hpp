@@ -58,7 +58,7 @@ public:
 
 private:
     Laminar flow_;
-    std::unique_ptr<backends::Backend> backend_;
+    std::unique_ptr<Simulation> backend_;
     std::vector<std::size_t> column_; ///< by particle
     int steps_ = 0;
     std::int64_t iterations_ = 0;

@@ -80,9 +80,7 @@ void lockstep(Probe& probe, const std::vector<Stretch>& stretches)
         for (std::int64_t n = 0; n < stretch.after; ++n) {
             candidate->advance();
         }
-        findings.add(comparison::compare_lockstep(s, *candidate, probe.subject().choice.precision,
-                                                  stretch.frames, go_on),
-                     stretch.scenario);
+        findings.add(comparison::compare_lockstep(s, *candidate, stretch.frames, go_on), stretch.scenario);
     }
 }
 
@@ -110,13 +108,13 @@ void recorded(Probe& probe, const std::vector<Stretch>& stretches)
 {
     Findings findings(probe, Source::exact,
                       "bits: the hash of each field of each frame is the one recorded in data/hashes");
-    const std::string precision = probe.subject().choice.precision;
+    const backends::BackendChoice& choice = probe.subject().choice;
     for (const Stretch& stretch : stretches) {
         const Scenario s = shipped_scenario(stretch.scenario);
-        const auto file = comparison::hash_file(data_directory() / "scenarios" / (stretch.scenario + ".json"),
-                                                s, precision);
+        const auto file =
+            comparison::hash_file(data_directory() / "scenarios" / (stretch.scenario + ".json"), s, choice);
         comparison::BitsOracles oracles;
-        oracles.recorded = comparison::read_hashes(file, s.name, precision);
+        oracles.recorded = comparison::read_hashes(file, s.name, choice.precision);
         const auto candidate = probe.simulate(s);
         findings.add(comparison::compare_bits(*candidate, oracles, stretch.frames, go_on), stretch.scenario);
     }
@@ -143,8 +141,7 @@ void free_run(Probe& probe)
         probe, Source::statistics,
         "Student's prediction interval of an ensemble of the reference: a correct candidate fails once in "
         "1,000 runs (docs/bounds.md, B30)");
-    findings.add(comparison::compare_free(s, *candidate, probe.subject().choice.precision, settings, go_on),
-                 "quick");
+    findings.add(comparison::compare_free(s, *candidate, settings, go_on), "quick");
 }
 
 } // namespace

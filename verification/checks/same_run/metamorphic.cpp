@@ -141,9 +141,10 @@ void threads(Probe& probe)
                                       "bits: sums have a fixed shape, whoever computes their parts");
     const Scenario s = shipped_scenario("quick");
     backends::BackendChoice other = probe.subject().choice;
-    (other.name == "cpu" ? other.threads : other.block_size) = other.name == "cpu" ? 2 : 64;
+    const bool is_cpu = other.backend == Backend::cpu;
+    (is_cpu ? other.threads : other.block_size) = is_cpu ? 2 : 64;
     const auto one = probe.simulate(s);
-    const auto two = backends::make_backend(other, s, {});
+    const auto two = backends::make_simulation(other, s, {});
     for (int n = 0; n < 60; ++n) {
         one->advance();
         two->advance();

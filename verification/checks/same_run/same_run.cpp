@@ -44,7 +44,7 @@ SimulationState relabeled(SimulationState state)
 /// adds in the order of the numbers.
 void labels(Probe& probe)
 {
-    const bool by_cell = probe.subject().choice.name != "reference";
+    const bool by_cell = probe.subject().choice.backend != Backend::reference;
     const double u = probe.roundoff();
     Quantity& velocity =
         by_cell ? probe.quantity("velocities of the relabeled box [m/s]", Source::exact,

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/backends/run_frames.hpp"
+#include "output/run_frames.hpp"
 
 #include "common/error.hpp"
 #include "common/process/interrupt.hpp"
 
 #include <string>
 
-namespace aneurysm::backends
+namespace aneurysm::output
 {
 namespace
 {
 
-using output::RunDirectory;
-using output::RunStatus;
-
 class Loop
 {
 public:
-    Loop(const Scenario& scenario, std::int64_t frames, Backend& backend, RunDirectory& directory)
-        : scenario_(scenario), frames_(frames), backend_(backend), directory_(directory)
+    Loop(const Scenario& scenario, std::int64_t frames, Simulation& simulation, RunDirectory& directory)
+        : scenario_(scenario), frames_(frames), simulation_(simulation), directory_(directory)
     {
     }
 
@@ -29,8 +26,8 @@ public:
             write_particles(0);
         }
         while (frame() < frames_ && !InterruptWatch::interrupted()) {
-            const FrameRecord record = backend_.advance();
-            directory_.append(record, backend_.state());
+            const FrameRecord record = simulation_.advance();
+            directory_.append(record, simulation_.state());
             write_due(record.frame);
             on_frame(record);
         }
@@ -55,13 +52,13 @@ public:
         }
     }
 
-    std::int64_t frame() const { return backend_.state().frame; }
+    std::int64_t frame() const { return simulation_.state().frame; }
 
 private:
     void save_state()
     {
         if (saved_frame_ != frame()) {
-            directory_.write_checkpoint(backend_.state());
+            directory_.write_checkpoint(simulation_.state());
             saved_frame_ = frame();
         }
     }
@@ -78,23 +75,23 @@ private:
     void write_particles(std::int64_t frame)
     {
         if (scenario_.output.particles_every_frames > 0) {
-            directory_.write_particles(frame, {backend_.state().particles, backend_.density()});
+            directory_.write_particles(frame, {simulation_.state().particles, simulation_.density()});
         }
     }
 
     const Scenario& scenario_;
     std::int64_t frames_;
-    Backend& backend_;
+    Simulation& simulation_;
     RunDirectory& directory_;
     std::int64_t saved_frame_ = -1;
 };
 
 } // namespace
 
-bool run_frames(const Scenario& scenario, std::int64_t frames, Backend& backend, RunDirectory& directory,
-                const OnFrame& on_frame)
+bool run_frames(const Scenario& scenario, std::int64_t frames, Simulation& simulation,
+                RunDirectory& directory, const OnFrame& on_frame)
 {
-    Loop loop(scenario, frames, backend, directory);
+    Loop loop(scenario, frames, simulation, directory);
     bool complete = false;
     try {
         complete = loop.run(on_frame);
@@ -107,4 +104,4 @@ bool run_frames(const Scenario& scenario, std::int64_t frames, Backend& backend,
     return complete;
 }
 
-} // namespace aneurysm::backends
+} // namespace aneurysm::output

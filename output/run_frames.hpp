@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/simulation.hpp"
 #include "output/run_directory.hpp"
-#include "verification/backends/backend.hpp"
 
 #include <cstdint>
 #include <functional>
 
-namespace aneurysm::backends
+namespace aneurysm::output
 {
 
 /// Called after each frame.
@@ -15,8 +15,8 @@ using OnFrame = std::function<void(const FrameRecord& record)>;
 
 /// Frames up to the given one, with all that is written on the way, and what says how it ended.
 /// \return whether it came to the end; not when it was interrupted, then a checkpoint was written
-/// \throws Error what the backend or a full disk throws; the last good state was saved as far as possible
-bool run_frames(const Scenario& scenario, std::int64_t frames, Backend& backend,
-                output::RunDirectory& directory, const OnFrame& on_frame);
+/// \throws Error what the simulation or a full disk throws; the last good state was saved as far as possible
+bool run_frames(const Scenario& scenario, std::int64_t frames, Simulation& simulation,
+                RunDirectory& directory, const OnFrame& on_frame);
 
-} // namespace aneurysm::backends
+} // namespace aneurysm::output

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options that several commands take.
+#pragma once
+
+#include "verification/backends/make_simulation.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace aneurysm::app
+{
+
+/// The words of an enumeration, as a check of an option's value.
+template <std::size_t n>
+CLI::IsMember one_of(const std::array<std::string_view, n>& names)
+{
+    return CLI::IsMember(std::vector<std::string>(names.begin(), names.end()));
+}
+
+/// An option whose value is an enumeration's; `names` are its words, in its order.
+template <class Enum, std::size_t n>
+CLI::Option* add_choice(CLI::App& app, const std::string& option, Enum& value,
+                        const std::array<std::string_view, n>& names, const std::string& help)
+{
+    return app
+        .add_option_function<std::string>(
+            option, [&value, &names](const std::string& word) { value = *value_of<Enum>(word, names); }, help)
+        ->check(one_of(names))
+        ->default_str(std::string(names.at(static_cast<std::size_t>(value))));
+}
+
+/// The same for several values, by commas.
+template <class Enum, std::size_t n>
+CLI::Option* add_choices(CLI::App& app, const std::string& option, std::vector<Enum>& values,
+                         const std::array<std::string_view, n>& names, const std::string& help)
+{
+    return app
+        .add_option_function<std::vector<std::string>>(
+            option,
+            [&values, &names](const std::vector<std::string>& words) {
+                for (const std::string& word : words) {
+                    values.push_back(*value_of<Enum>(word, names));
+                }
+            },
+            help)
+        ->delimiter(',')
+        ->check(one_of(names));
+}
+
+} // namespace aneurysm::app
