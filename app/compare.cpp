@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/compare.hpp"
 
+#include "app/options.hpp"
 #include "common/error.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
@@ -22,41 +23,22 @@ namespace aneurysm::app
 namespace
 {
 
-constexpr int failed = 3;
-constexpr int interrupted = 130;
+struct CompareOptions {
+    std::filesystem::path scenario;
+    backends::BackendChoice candidate;
+    std::string mode = "lockstep";      ///< lockstep, free, bits
+    std::optional<std::int64_t> frames; ///< to compare, instead of up to the scenario's last
+    std::int64_t from = 0;              ///< the candidate makes this many frames first
+    int ensemble = 8;                   ///< members, in mode free
+    std::filesystem::path record;       ///< file for the candidate's hashes, in mode bits; empty: none
+    std::filesystem::path report;       ///< JSON; empty: none
+};
 
 void require(bool good, const std::string& option, const std::string& what, const std::string& allowed)
 {
     if (!good) {
         throw InputError(option, what, allowed);
     }
-}
-
-/// Found out before hours of work.
-void require_folder(const std::string& option, const std::filesystem::path& file)
-{
-    const std::filesystem::path folder = file.parent_path();
-    require(folder.empty() || std::filesystem::is_directory(folder), option,
-            "no such directory (" + folder.string() + ")", "needed: a file in one that exists");
-}
-
-void check(const CompareOptions& options)
-{
-    const std::string& mode = options.mode;
-    require(mode == "lockstep" || mode == "free" || mode == "bits", "--mode", "unknown (" + mode + ")",
-            "allowed: lockstep, free, bits");
-    require(options.frames.value_or(1) >= 1, "--frames",
-            "out of range (" + std::to_string(options.frames.value_or(1)) + ")", "allowed: at least 1");
-    require(options.from >= 0, "--from", "out of range (" + std::to_string(options.from) + ")",
-            "allowed: at least 0");
-    require(options.ensemble >= 3, "--ensemble", "out of range (" + std::to_string(options.ensemble) + ")",
-            "allowed: at least 3");
-    require(options.record.empty() || mode == "bits", "--record", "mode " + mode + " has no hashes",
-            "needed: --mode bits");
-    require(options.record.empty() || options.from == 0, "--record", "hashes are recorded from frame 1 on",
-            "needed: no --from");
-    require_folder("--report", options.report);
-    require_folder("--record", options.record);
 }
 
 /// One comparison from the command line to its result.
@@ -172,17 +154,16 @@ comparison::ComparisonResult Comparison::run()
     return result;
 }
 
-} // namespace
-
 int compare(const CompareOptions& options)
 {
-    check(options);
+    require(options.record.empty() || options.mode == "bits", "--record",
+            "mode " + options.mode + " has no hashes", "needed: --mode bits");
     Comparison comparison(options);
     const InterruptWatch watch;
     const comparison::ComparisonResult result = comparison.run();
     if (comparison.only_records() && result.problems.empty()) {
         std::cout << result.notes.back() << std::endl;
-        return 0;
+        return exit_done;
     }
     const comparison::ComparisonTitle title = comparison.title();
     std::cout << comparison::report_text(title, result) << std::flush;
@@ -190,9 +171,50 @@ int compare(const CompareOptions& options)
         output::write_atomically(options.report, comparison::report_json(title, result));
     }
     if (InterruptWatch::interrupted()) {
-        return interrupted;
+        return exit_interrupted;
     }
-    return result.passed() ? 0 : failed;
+    return result.passed() ? exit_done : exit_differs;
+}
+
+} // namespace
+
+void add_compare(CLI::App& app, std::optional<int>& code)
+{
+    const auto options = std::make_shared<CompareOptions>();
+    CLI::App* compare_app = app.add_subcommand("compare", "Compare a backend with the reference");
+    compare_app->add_option("SCENARIO", options->scenario, "scenario file")->required();
+    add_backend(*compare_app, options->candidate, "--candidate", "who is compared");
+    compare_app->get_option("--candidate")->required();
+    add_tuning(*compare_app, options->candidate);
+    compare_app
+        ->add_option(
+            "--mode", options->mode,
+            "lockstep: each frame starts from the candidate's own state, bounds are rounding's; free: "
+            "runs of their own, against the spread of an ensemble; bits: hashes of each frame, against "
+            "one thread and recorded ones")
+        ->check(CLI::IsMember({"lockstep", "free", "bits"}))
+        ->capture_default_str();
+    compare_app
+        ->add_option("--frames", options->frames, "how many to compare (default: up to the scenario's last)")
+        ->check(at_least(1));
+    CLI::Option* from =
+        compare_app->add_option("--from", options->from, "let the candidate come to this frame first")
+            ->check(at_least(0))
+            ->capture_default_str();
+    compare_app->add_option("--ensemble", options->ensemble, "members of the ensemble in mode free")
+        ->check(at_least(3))
+        ->capture_default_str();
+    compare_app->add_option("--record", options->record, "in mode bits: CSV file for the candidate's hashes")
+        ->check(file_in_folder())
+        ->excludes(from);
+    compare_app->add_option("--report", options->report, "JSON file for the result")->check(file_in_folder());
+    compare_app->footer(
+        "Examples:\n"
+        "  aneurysm compare data/scenarios/quick.json --candidate cpu --precision float --frames 300\n"
+        "  aneurysm compare data/scenarios/quick.json --candidate cpu --precision float --mode bits\n"
+        "Exit codes: 0 all within its bounds, 1 failed, 2 bad input, 3 something is not within its bounds,\n"
+        "130 interrupted.");
+    compare_app->callback([options, &code] { code = compare(*options); });
 }
 
 } // namespace aneurysm::app

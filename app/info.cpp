@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/info.hpp"
 
+#include "app/exit_codes.hpp"
 #include "common/equations.hpp"
 #include "common/scenario/limits.hpp"
 #include "output/build_info.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/rupture.hpp"
+#include "verification/suite/subjects.hpp"
 #include "verification/suite/summary.hpp"
 
 #include <cmath>
 #include <iomanip>
+#include <iostream>
+#include <memory>
 #include <numbers>
 #include <sstream>
 
@@ -92,8 +96,7 @@ std::string wall_info(const Scenario& s)
     return lines.text();
 }
 
-} // namespace
-
+/// The program's version and how it was built.
 std::string program_info()
 {
     const output::BuildInfo build = output::build_info();
@@ -102,10 +105,15 @@ std::string program_info()
          << "  commit    " << build.commit << "\n"
          << "  compiler  " << build.compiler << "\n"
          << "  flags     " << build.flags << "\n"
-         << "  backends  reference: double; cpu, cuda: float, double\n";
+         << "  backends\n";
+    for (const suite::SuiteSubject& s : suite::make_subjects()) {
+        text << "    " << std::left << std::setw(14) << s.subject.name()
+             << (s.missing.empty() ? s.device : "not here: " + s.missing) << "\n";
+    }
     return text.str();
 }
 
+/// Every equation of the paper with its status and deviation.
 std::string equation_table()
 {
     std::ostringstream text;
@@ -119,6 +127,7 @@ std::string equation_table()
     return text.str();
 }
 
+/// What follows from a scenario's values, and which of them are assumed.
 std::string scenario_info(const Scenario& scenario)
 {
     std::ostringstream text;
@@ -129,6 +138,35 @@ std::string scenario_info(const Scenario& scenario)
         text << "  " << path << ": " << why << "\n";
     }
     return text.str();
+}
+
+} // namespace
+
+void add_info(CLI::App& app, std::optional<int>& code)
+{
+    struct InfoOptions {
+        std::string scenario;
+        bool schema = false;
+    };
+    const auto options = std::make_shared<InfoOptions>();
+    CLI::App* info =
+        app.add_subcommand("info", "Show version and equations, or what follows from a scenario");
+    info->add_option("SCENARIO", options->scenario, "scenario file");
+    info->add_flag("--schema", options->schema, "print the JSON Schema of scenario files");
+    info->footer("Examples:\n"
+                 "  aneurysm info\n"
+                 "  aneurysm info data/scenarios/paper_tc1.json");
+    info->callback([options, &code] {
+        if (options->schema) {
+            std::cout << scenario_schema();
+        } else if (options->scenario.empty()) {
+            std::cout << program_info() << "Equations of the paper: number, section, status, title\n"
+                      << equation_table();
+        } else {
+            std::cout << scenario_info(read_scenario(options->scenario));
+        }
+        code = exit_done;
+    });
 }
 
 } // namespace aneurysm::app

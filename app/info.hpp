@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "common/scenario/scenario.hpp"
+#include <CLI/CLI.hpp>
 
-#include <string>
+#include <optional>
 
 namespace aneurysm::app
 {
 
-/// The program's version and how it was built.
-std::string program_info();
-/// Every equation of the paper with its status and deviation.
-std::string equation_table();
-/// What follows from a scenario's values, and which of them are assumed.
-std::string scenario_info(const Scenario& scenario);
+/// `aneurysm info`: version and equations, or what follows from a scenario.
+void add_info(CLI::App& app, std::optional<int>& code);
 
 } // namespace aneurysm::app

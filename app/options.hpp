@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options that several commands take.
+// What the commands share: options, and a program's way from the command line to its exit code.
 #pragma once
 
+#include "app/exit_codes.hpp"
 #include "verification/backends/make_simulation.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <array>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,5 +53,24 @@ CLI::Option* add_choices(CLI::App& app, const std::string& option, std::vector<E
         ->delimiter(',')
         ->check(one_of(names));
 }
+
+/// --backend (or another name for it) and --precision.
+void add_backend(CLI::App& app, backends::BackendChoice& choice, const std::string& option = "--backend",
+                 const std::string& help = "who computes");
+/// --threads and --block-size.
+void add_tuning(CLI::App& app, backends::BackendChoice& choice);
+
+/// A count from `least` on.
+CLI::Range at_least(std::int64_t least);
+/// A file in a folder that exists; found out before hours of work.
+CLI::Validator file_in_folder();
+
+/// Makes an --out, or takes an empty one. \throws InputError
+void make_report_directory(const std::filesystem::path& directory);
+
+/// A program's whole course: reads the command line, whose callbacks do the work and set `code`. What goes
+/// wrong is one line on stderr.
+/// \return the exit code
+int run_program(CLI::App& app, const std::optional<int>& code, int argc, const char* const* argv);
 
 } // namespace aneurysm::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/reproduce.hpp"
 
+#include "app/options.hpp"
 #include "common/error.hpp"
 #include "common/process/interrupt.hpp"
 #include "output/file.hpp"
@@ -17,37 +18,26 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr int interrupted = 130;
+struct ReproduceOptions {
+    std::vector<std::string> items; ///< table1 ... fig10; empty or "all": all
+    fs::path out = "results/paper";
+    backends::BackendChoice backend{Backend::cpu, Precision::float_};
+    int seeds = 24;                ///< members of an ensemble
+    std::optional<int> first_seed; ///< of the ensemble, or with `calibrate` of the calibration
+    int jobs = 0;                  ///< runs at once; 0: one a core
+    bool calibrate = false;        ///< fit what the paper doesn't give instead
+};
 
 std::vector<reproduction::Item> chosen(const std::vector<std::string>& words)
 {
-    const bool all = words.empty() || std::ranges::find(words, "all") != words.end();
-    std::vector<reproduction::Item> items;
-    std::string names = "all";
-    for (const reproduction::Item& item : reproduction::all_items()) {
-        names += ", " + std::string(item.id);
-        if (all || std::ranges::find(words, item.id) != words.end()) {
-            items.push_back(item);
-        }
-    }
-    for (const std::string& word : words) {
-        if (word != "all" && std::ranges::find(reproduction::all_items(), word, &reproduction::Item::id) ==
-                                 reproduction::all_items().end()) {
-            throw InputError("ITEM", "unknown (" + word + ")", "allowed: " + names);
-        }
+    const auto has = [&words](std::string_view word) {
+        return std::ranges::find(words, word) != words.end();
+    };
+    std::vector<reproduction::Item> items = reproduction::all_items();
+    if (!words.empty() && !has("all")) {
+        std::erase_if(items, [&has](const reproduction::Item& item) { return !has(item.id); });
     }
     return items;
-}
-
-void check(const ReproduceOptions& options)
-{
-    if (options.out.empty()) {
-        throw InputError("--out", "no directory given",
-                         "needed: --out DIR, new or of an earlier reproduction");
-    }
-    if (options.seeds < 1 || options.first_seed.value_or(1) < 0 || options.jobs < 0) {
-        throw InputError("--seeds, --first-seed, --jobs", "out of range", "allowed: at least 1, 0 and 0");
-    }
 }
 
 std::string command_of(const ReproduceOptions& options)
@@ -97,12 +87,8 @@ void make_items(reproduction::Reproduction& reproduction, const ReproduceOptions
     std::cout << "Open " << (options.out / "reproduction.html").string() << std::endl;
 }
 
-} // namespace
-
 int reproduce(const ReproduceOptions& options)
 {
-    check(options);
-    chosen(options.items);
     const InterruptWatch watch;
     reproduction::RunStore runs(options.out / "runs", options.backend, options.jobs);
     reproduction::Reproduction reproduction{runs, reproduction::read_data("paper.json"), options.out,
@@ -119,28 +105,47 @@ int reproduce(const ReproduceOptions& options)
         }
     } catch (const Interrupted&) {
         std::cerr << "interrupted; the same command goes on\n";
-        return interrupted;
+        return exit_interrupted;
     }
-    return 0;
+    return exit_done;
 }
 
-const std::vector<reproduction::Item>& all_items()
+} // namespace
+
+void add_reproduce(CLI::App& app, std::optional<int>& code)
 {
-    static const std::vector<reproduction::Item> items{
-        {"table1", "Table 1: given values", reproduction::table1},
-        {"table2", "Table 2: shapes", reproduction::table2},
-        {"table3", "Table 3: frames per second", reproduction::table3},
-        {"table4", "Table 4: frames of rupture", reproduction::table4},
-        {"fig4", "Fig. 4: particles", reproduction::figure4},
-        {"fig5", "Fig. 5: blood", reproduction::figure5},
-        {"fig6", "Fig. 6: shapes", reproduction::figure6},
-        {"fig7", "Fig. 7: impact, thickness and critical pressure by shape", reproduction::figure7},
-        {"fig8", "Fig. 8: angles", reproduction::figure8},
-        {"fig9", "Fig. 9: impact, critical pressure and thickness by Poisson's ratio", reproduction::figure9},
-        {"fig10", "Fig. 10: radius and thickness at fixed growth", reproduction::figure10},
-        {"errata", "Errata", reproduction::errata},
-    };
-    return items;
+    const auto options = std::make_shared<ReproduceOptions>();
+    std::vector<std::string> words{"all"};
+    for (const reproduction::Item& item : reproduction::all_items()) {
+        words.emplace_back(item.id);
+    }
+    CLI::App* reproduce_app = app.add_subcommand("reproduce", "Reproduce the paper's tables and figures");
+    reproduce_app->add_option("ITEM", options->items, "of the paper (default: all)")
+        ->check(CLI::IsMember(words));
+    reproduce_app
+        ->add_option("--out", options->out,
+                     "directory for data, pictures and reproduction.html; its runs are used again")
+        ->capture_default_str();
+    add_backend(*reproduce_app, options->backend);
+    reproduce_app->add_option("--seeds", options->seeds, "members of the ensembles")
+        ->check(at_least(1))
+        ->capture_default_str();
+    reproduce_app
+        ->add_option("--first-seed", options->first_seed,
+                     "of the ensembles (default: 1); with --calibrate of the calibration")
+        ->check(at_least(0));
+    reproduce_app->add_option("--jobs", options->jobs, "runs at once; 0: as many as there are cores")
+        ->check(at_least(0))
+        ->capture_default_str();
+    reproduce_app->add_flag("--calibrate", options->calibrate,
+                            "fit what the paper doesn't give, as data/calibration.json says, instead");
+    reproduce_app->footer(
+        "Examples:\n"
+        "  aneurysm reproduce\n"
+        "  aneurysm reproduce table4 fig9 --seeds 2 --out results/two_seeds\n"
+        "  aneurysm reproduce --calibrate --out results/calibration\n"
+        "Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted (the same command goes on).");
+    reproduce_app->callback([options, &code] { code = reproduce(*options); });
 }
 
 } // namespace aneurysm::app

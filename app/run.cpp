@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/run.hpp"
 
+#include "app/options.hpp"
 #include "common/error.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
@@ -21,6 +22,16 @@ namespace
 {
 
 using output::RunDirectory;
+
+struct RunOptions {
+    std::filesystem::path scenario; ///< may be empty with `resume`
+    std::filesystem::path out;      ///< empty: results/NAME, by the scenario's name
+    backends::BackendChoice backend;
+    bool has_backend = false;           ///< it was chosen; else a resumed run goes on with its own
+    bool has_precision = false;         ///< likewise
+    std::optional<std::int64_t> frames; ///< instead of the scenario's
+    bool resume = false;
+};
 
 /// What to run and from where.
 struct Start {
@@ -73,10 +84,6 @@ Start make_start(const RunOptions& options)
 {
     Start start = options.resume ? resumed_start(options) : fresh_start(options);
     start.frames = options.frames.value_or(start.scenario.time.frames);
-    if (start.frames < 1) {
-        throw InputError("--frames", "out of range (" + std::to_string(start.frames) + ")",
-                         "allowed: at least 1");
-    }
     const std::int64_t done = start.checkpoint ? start.checkpoint->state.frame : 0;
     if (done >= start.frames) {
         throw InputError("--frames", "frame " + std::to_string(start.frames) + " is done already",
@@ -94,33 +101,69 @@ void print_summary(const Start& start, double rate)
               << std::endl;
 }
 
-} // namespace
+/// Whose the run is, unless the command line says otherwise.
+backends::BackendChoice backend_of(const RunOptions& options)
+{
+    backends::BackendChoice choice = options.backend;
+    if (options.resume) {
+        const Engine engine = RunDirectory::engine(options.out);
+        choice.backend = options.has_backend ? choice.backend : engine.backend;
+        choice.precision = options.has_precision ? choice.precision : engine.precision;
+    }
+    return choice;
+}
 
 int run(const RunOptions& options)
 {
     const Start start = make_start(options);
-    const std::unique_ptr<Simulation> backend = backends::make_simulation(
-        options.backend, start.scenario,
+    const std::unique_ptr<Simulation> simulation = backends::make_simulation(
+        backend_of(options), start.scenario,
         start.checkpoint ? std::optional(start.checkpoint->state) : std::nullopt, options.scenario);
     const InterruptWatch watch;
     RunDirectory directory = start.checkpoint
-                                 ? RunDirectory::resume(start.out, *start.checkpoint, backend->engine())
-                                 : RunDirectory::create(start.out, start.scenario, backend->engine());
+                                 ? RunDirectory::resume(start.out, *start.checkpoint, simulation->engine())
+                                 : RunDirectory::create(start.out, start.scenario, simulation->engine());
     bool complete = false;
     double rate = 0;
     {
-        Progress progress("frame", backend->state().frame, start.frames);
+        Progress progress("frame", simulation->state().frame, start.frames);
         complete = output::run_frames(
-            start.scenario, start.frames, *backend, directory,
+            start.scenario, start.frames, *simulation, directory,
             [&](const FrameRecord& record) { progress.show(record.frame, output::name_of(record.phase)); });
-        rate = progress.per_second(backend->state().frame);
+        rate = progress.per_second(simulation->state().frame);
     }
     print_summary(start, rate);
     if (!complete) {
-        std::cerr << "interrupted after frame " << backend->state().frame
+        std::cerr << "interrupted after frame " << simulation->state().frame
                   << "; go on with: aneurysm run --resume --out " << start.out.string() << "\n";
     }
-    return complete ? 0 : 130;
+    return complete ? exit_done : exit_interrupted;
+}
+
+} // namespace
+
+void add_run(CLI::App& app, std::optional<int>& code)
+{
+    const auto options = std::make_shared<RunOptions>();
+    CLI::App* run_app = app.add_subcommand("run", "Simulate a scenario");
+    run_app->add_option("SCENARIO", options->scenario, "scenario file; with --resume it may be left out");
+    run_app->add_option("--out", options->out,
+                        "directory for the results; must not exist (default: results/NAME)");
+    add_backend(*run_app, options->backend);
+    add_tuning(*run_app, options->backend);
+    run_app->add_option("--frames", options->frames, "run up to this frame instead of the scenario's last")
+        ->check(at_least(1));
+    run_app->add_flag("--resume", options->resume,
+                      "go on from the checkpoint in --out, with the run's backend, to the same bits");
+    run_app->footer("Examples:\n"
+                    "  aneurysm run data/scenarios/quick.json --out results/quick\n"
+                    "  aneurysm run --resume --out results/quick\n"
+                    "Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted (a checkpoint was written).");
+    run_app->callback([run_app, options, &code] {
+        options->has_backend = run_app->count("--backend") > 0;
+        options->has_precision = run_app->count("--precision") > 0;
+        code = run(*options);
+    });
 }
 
 } // namespace aneurysm::app

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program `aneurysm-sensitivity`, which `aneurysm verify --sensitivity` hands over to: both backends with
 // places for mutants.
-#include "app/verify.hpp"
-#include "common/error.hpp"
+#include "app/options.hpp"
+#include "common/parallel.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
+#include "common/text.hpp"
 #include "output/file.hpp"
 #include "output/provenance.hpp"
 #include "output/report/html.hpp"
 #include "output/report/markdown.hpp"
 #include "verification/checks/checks.hpp"
 #include "verification/sensitivity/report.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <memory>
@@ -23,8 +22,6 @@ namespace
 
 using namespace aneurysm;
 using namespace aneurysm::app;
-
-constexpr int bad_input = 2;
 
 struct Options {
     std::filesystem::path out;
@@ -38,9 +35,6 @@ struct Options {
 std::vector<sensitivity::Mutant> chosen_mutants(const Options& options,
                                                 const std::vector<const suite::Check*>& checks)
 {
-    if (options.mutants != "all" && options.mutants != "ci") {
-        throw InputError("--faults", "unknown (" + options.mutants + ")", "allowed: all, ci");
-    }
     std::vector<sensitivity::Mutant> mutants =
         options.mutants == "ci" ? sensitivity::daily_mutants() : sensitivity::all_mutants();
     if (!options.only.empty()) {
@@ -87,9 +81,9 @@ int sensitivity(const Options& options)
         suite::select(checks::all_checks(), options.full, options.only);
     const sensitivity::StudyOptions study{.mutants = chosen_mutants(options, checks),
                                           .daily = options.mutants == "ci",
-                                          .jobs = threads_of(options.jobs)};
+                                          .jobs = thread_count(options.jobs)};
     make_report_directory(options.out);
-    const std::string only = options.only.empty() ? "" : " --only " + joined(options.only);
+    const std::string only = options.only.empty() ? "" : " --only " + joined(options.only, ",");
     const sensitivity::SensitivityReport report{
         .study = run(checks, study),
         .selection = std::string(study.daily ? "The 24 faults of every day, " : "All faults, ") +
@@ -103,42 +97,28 @@ int sensitivity(const Options& options)
     write(options.out, report);
     std::cout << sensitivity::sensitivity_text(report) << "Reports in " << options.out.string()
               << ": sensitivity.html, sensitivity.md, sensitivity.json" << std::endl;
-    return !report.study.complete ? exit_interrupted : sensitivity::passed(report.study) ? 0 : exit_failed;
-}
-
-int parse_and_run(int argc, char** argv)
-{
-    CLI::App app("Plants faults in the equations, one at a time, to see which check notices.",
-                 "aneurysm-sensitivity");
-    Options options;
-    app.add_option("--out", options.out, "directory for the reports; must not exist, or be empty")
-        ->required();
-    app.add_option("--faults", options.mutants, "all; ci: 24 that take a minute")->capture_default_str();
-    app.add_option("--only", options.only, "as of aneurysm verify")->delimiter(',');
-    app.add_flag("--full", options.full, "with the checks that take minutes");
-    app.add_option("--jobs", options.jobs, "processes at once; 0: as many as there are cores");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-            return app.exit(error); // --help
-        }
-        throw InputError("command line", error.what(), "see aneurysm-sensitivity --help");
-    }
-    return sensitivity(options);
+    return !report.study.complete              ? exit_interrupted
+           : sensitivity::passed(report.study) ? exit_done
+                                               : exit_differs;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-    try {
-        return parse_and_run(argc, argv);
-    } catch (const InputError& error) {
-        std::cerr << "aneurysm: " << error.what() << "\n";
-        return bad_input;
-    } catch (const std::exception& error) {
-        std::cerr << "aneurysm: " << error.what() << "\n";
-        return 1;
-    }
+    CLI::App app("Plants faults in the equations, one at a time, to see which check notices.",
+                 "aneurysm-sensitivity");
+    Options options;
+    app.add_option("--out", options.out, "directory for the reports; must not exist, or be empty")
+        ->required();
+    app.add_option("--faults", options.mutants, "all; ci: 24 that take a minute")
+        ->check(CLI::IsMember({"all", "ci"}))
+        ->capture_default_str();
+    app.add_option("--only", options.only, "as of aneurysm verify")->delimiter(',');
+    app.add_flag("--full", options.full, "with the checks that take minutes");
+    app.add_option("--jobs", options.jobs, "processes at once; 0: as many as there are cores")
+        ->check(at_least(0));
+    std::optional<int> code;
+    app.callback([&] { code = sensitivity(options); });
+    return run_program(app, code, argc, argv);
 }

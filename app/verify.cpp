@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/verify.hpp"
 
-#include "app/launch_sensitivity.hpp"
+#include "app/options.hpp"
 #include "app/verify_baseline.hpp"
+#include "app/verify_options.hpp"
 #include "common/error.hpp"
+#include "common/parallel.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
+#include "common/process/subprocess.hpp"
+#include "common/text.hpp"
 #include "output/file.hpp"
 #include "output/provenance.hpp"
 #include "output/report/html.hpp"
@@ -16,7 +20,6 @@
 #include <algorithm>
 #include <iostream>
 #include <optional>
-#include <thread>
 
 namespace aneurysm::app
 {
@@ -31,7 +34,7 @@ std::string command_of(const VerifyOptions& options)
     std::string command = std::string("aneurysm verify ") + (options.full ? "--full" : "--quick");
     const auto add = [&](const char* name, const std::vector<std::string>& words) {
         if (!words.empty()) {
-            command.append(" ").append(name).append(" ").append(joined(words));
+            command.append(" ").append(name).append(" ").append(joined(words, ","));
         }
     };
     add("--only", options.only);
@@ -50,7 +53,7 @@ std::string selection_of(const VerifyOptions& options, std::size_t chosen)
     const std::string all = std::to_string(checks::all_checks().size());
     return (options.full ? "All levels, slow checks included: " : "Quick checks only: ") +
            std::to_string(chosen) + " of the " + all + " checks" +
-           (options.only.empty() ? "" : ", chosen by --only " + joined(options.only));
+           (options.only.empty() ? "" : ", chosen by --only " + joined(options.only, ","));
 }
 
 suite::SuiteResult run(const std::vector<const suite::Check*>& checks,
@@ -75,31 +78,9 @@ void write(const fs::path& directory, const suite::SuiteReport& report)
     output::write_atomically(directory / "report.html", report::html(document));
 }
 
-void check(const VerifyOptions& options)
-{
-    const auto refuse = [](bool bad, const char* option, const char* what, const char* advice) {
-        if (bad) {
-            throw InputError(option, what, advice);
-        }
-    };
-    refuse(options.out.empty() && !options.record, "--out", "no directory given for the reports",
-           "needed: --out DIR");
-    refuse(options.record && !options.baseline, "--record", "only a baseline is recorded",
-           "needed: --baseline, too");
-    refuse(options.record && !(options.out.empty() && options.only.empty() && options.backends.empty() &&
-                               options.precisions.empty()),
-           "--record", "the whole baseline is recorded, in data/", "allowed beside it: --data");
-    refuse(options.baseline && (options.quick || options.full), "--baseline", "compares runs, not checks",
-           "needed: no --quick or --full");
-    refuse(options.sensitivity &&
-               (options.baseline || !options.backends.empty() || !options.precisions.empty()),
-           "--sensitivity", "doesn't go with --baseline, --backend or --precision",
-           "it plants faults in the reference and in cpu");
-}
-
 int verify_suite(const VerifyOptions& options)
 {
-    const int threads = threads_of(options.jobs);
+    const int threads = thread_count(options.jobs);
     const std::vector<const suite::Check*> checks =
         suite::select(checks::all_checks(), options.full, options.only);
     std::vector<suite::SuiteSubject> subjects = suite::make_subjects(options.backends, options.precisions);
@@ -122,53 +103,93 @@ int verify_suite(const VerifyOptions& options)
     if (!report.suite.complete) {
         return exit_interrupted;
     }
-    return passed(report.suite) ? 0 : exit_failed;
+    return passed(report.suite) ? exit_done : exit_differs;
+}
+
+/// The study needs both backends with places for mutants, which another program has.
+[[noreturn]] void become_sensitivity(const VerifyOptions& options)
+{
+    std::vector<std::string> words{"--out",  options.out.string(),        "--faults", options.mutants,
+                                   "--jobs", std::to_string(options.jobs)};
+    for (const std::string& word : options.only) {
+        words.insert(words.end(), {"--only", word});
+    }
+    if (options.full) {
+        words.emplace_back("--full");
+    }
+    become_program("aneurysm-sensitivity", words, "--sensitivity",
+                   "cmake --build --preset release --target aneurysm-sensitivity builds it");
+}
+
+int verify(VerifyOptions options)
+{
+    if (options.out.empty()) {
+        options.out = options.baseline      ? "results/baseline"
+                      : options.sensitivity ? "results/sensitivity"
+                                            : "results/verify";
+    }
+    if (options.sensitivity) {
+        become_sensitivity(options);
+    }
+    return options.baseline ? verify_baseline(options) : verify_suite(options);
 }
 
 } // namespace
 
-int threads_of(int jobs)
+void add_verify(CLI::App& app, std::optional<int>& code)
 {
-    if (jobs < 0) {
-        throw InputError("--jobs", "out of range (" + std::to_string(jobs) + ")", "allowed: at least 0");
-    }
-    return jobs > 0 ? jobs : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
-std::string joined(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words) {
-        text.append(text.empty() ? "" : ",").append(word);
-    }
-    return text;
-}
-
-void make_report_directory(const fs::path& directory)
-{
-    std::error_code error;
-    const bool exists = fs::exists(directory, error);
-    if (exists && !(fs::is_directory(directory, error) && fs::is_empty(directory, error))) {
-        throw InputError(directory.string(), "output directory exists and isn't empty",
-                         "needed: another --out");
-    }
-    fs::create_directories(directory, error);
-    if (error) {
-        throw InputError(directory.string(), "output directory cannot be made (" + error.message() + ")",
-                         "needed: a writable place");
-    }
-}
-
-int verify(const VerifyOptions& options)
-{
-    check(options);
-    if (options.baseline) {
-        return verify_baseline(options);
-    }
-    if (options.sensitivity) {
-        launch_sensitivity(options);
-    }
-    return verify_suite(options);
+    const auto options = std::make_shared<VerifyOptions>();
+    CLI::App* verify_app = app.add_subcommand("verify", "Check every equation, and write a report");
+    CLI::Option* out = verify_app->add_option(
+        "--out", options->out,
+        "directory for the reports; must not exist, or be empty (default: results/verify, results/baseline, "
+        "results/sensitivity)");
+    CLI::Option* quick = verify_app->add_flag("--quick", "the checks that take seconds (default)");
+    CLI::Option* full = verify_app->add_flag("--full", options->full, "all checks, minutes")->excludes(quick);
+    CLI::Option* only = verify_app
+                            ->add_option("--only", options->only,
+                                         "words of checks, equations (13) and levels (L2), by commas")
+                            ->delimiter(',');
+    CLI::Option* backend =
+        add_choices(*verify_app, "--backend", options->backends, backend_names, "only these (default: all)");
+    CLI::Option* precision = add_choices(*verify_app, "--precision", options->precisions, precision_names,
+                                         "of cpu and cuda (default: both)");
+    verify_app->add_option("--jobs", options->jobs, "checks at once; 0: as many as there are cores")
+        ->check(at_least(0))
+        ->capture_default_str();
+    CLI::Option* baseline =
+        verify_app
+            ->add_flag("--baseline", options->baseline,
+                       "make the runs recorded in --data again instead; --only then names scenarios")
+            ->excludes(quick)
+            ->excludes(full);
+    verify_app->add_flag("--record", options->record, "with --baseline: record all of them anew, in --data")
+        ->needs(baseline)
+        ->excludes(out)
+        ->excludes(only)
+        ->excludes(backend)
+        ->excludes(precision);
+    verify_app->add_option("--data", options->data, "folder of the baseline (default: the project's data/)");
+    CLI::Option* sensitivity =
+        verify_app
+            ->add_flag("--sensitivity", options->sensitivity,
+                       "plant faults in the equations instead, and show which check finds which")
+            ->excludes(baseline)
+            ->excludes(backend)
+            ->excludes(precision);
+    verify_app->add_option("--faults", options->mutants, "which: all; ci: 24 that take a minute")
+        ->needs(sensitivity)
+        ->check(CLI::IsMember({"all", "ci"}))
+        ->capture_default_str();
+    verify_app->footer(
+        "Examples:\n"
+        "  aneurysm verify\n"
+        "  aneurysm verify --baseline\n"
+        "  aneurysm verify --sensitivity\n"
+        "  aneurysm verify --full --only eq13,L2 --backend cpu --precision float --out results/eq13\n"
+        "Exit codes: 0 all hold, 1 failed, 2 bad input, 3 something doesn't hold, 130 interrupted\n"
+        "(the reports say what there was).");
+    verify_app->callback([options, &code] { code = verify(*options); });
 }
 
 } // namespace aneurysm::app

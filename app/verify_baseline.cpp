@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/verify_baseline.hpp"
 
+#include "app/options.hpp"
 #include "common/error.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
 #include "common/scenario/shipped.hpp"
+#include "common/text.hpp"
 #include "output/build_info.hpp"
 #include "output/columns.hpp"
 #include "output/file.hpp"
@@ -44,9 +46,9 @@ std::vector<comparison::BaselineScenario> chosen(const comparison::Baseline& bas
                                                  const std::vector<std::string>& only)
 {
     std::vector<comparison::BaselineScenario> scenarios;
-    std::string names;
+    std::vector<std::string> names;
     for (const comparison::BaselineScenario& s : baseline.scenarios) {
-        names.append(names.empty() ? "" : ", ").append(s.name);
+        names.push_back(s.name);
         if (only.empty() || std::ranges::find(only, s.name) != only.end()) {
             scenarios.push_back(s);
         }
@@ -54,7 +56,7 @@ std::vector<comparison::BaselineScenario> chosen(const comparison::Baseline& bas
     for (const std::string& name : only) {
         if (std::ranges::none_of(scenarios, [&](const auto& s) { return s.name == name; })) {
             throw InputError("--only", "no such scenario in the baseline (" + name + ")",
-                             "allowed: " + names);
+                             "allowed: " + joined(names));
         }
     }
     return scenarios;
@@ -195,7 +197,7 @@ int compare(const VerifyOptions& options, const fs::path& data, const comparison
     lines += !complete ? "INCOMPLETE\n" : identical ? "PASS\n" : "FAIL\n";
     write(options.out, baseline, outcomes, lines);
     std::cout << lines << std::flush;
-    return !complete ? exit_interrupted : identical ? 0 : exit_failed;
+    return !complete ? exit_interrupted : identical ? exit_done : exit_differs;
 }
 
 int record(const fs::path& data, comparison::Baseline baseline)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "app/verify.hpp"
+#include "app/verify_options.hpp"
 
 namespace aneurysm::app
 {

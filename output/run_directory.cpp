@@ -77,6 +77,19 @@ void refuse_other_engine(const Json& manifest, const Engine& engine, const fs::p
 
 } // namespace
 
+Engine RunDirectory::engine(const fs::path& directory)
+{
+    const fs::path file = manifest_file(directory);
+    const Json manifest = read_json(file);
+    const auto backend = value_of<Backend>(manifest.value("backend", ""), backend_names);
+    const auto precision = value_of<Precision>(manifest.value("precision", ""), precision_names);
+    if (!backend || !precision) {
+        throw InputError(file.string(), "names no backend and precision of this version",
+                         "needed: an undamaged run directory");
+    }
+    return {*backend, *precision, manifest.value("device", "")};
+}
+
 fs::path RunDirectory::checkpoint_file(const fs::path& directory)
 {
     return directory / "checkpoint.h5";

@@ -37,6 +37,9 @@ public:
     static RunDirectory resume(const std::filesystem::path& directory, const Checkpoint& checkpoint,
                                const Engine& engine);
 
+    /// Who computed a run. \throws InputError for a manifest that isn't as it was written
+    static Engine engine(const std::filesystem::path& directory);
+
     static std::filesystem::path checkpoint_file(const std::filesystem::path& directory);
     static std::filesystem::path frames_file(const std::filesystem::path& directory);
     static std::filesystem::path manifest_file(const std::filesystem::path& directory);

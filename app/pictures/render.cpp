@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pictures/render.hpp"
 
+#include "app/options.hpp"
 #include "app/pictures/studio.hpp"
 #include "app/pictures/words.hpp"
 #include "common/error.hpp"
@@ -10,6 +11,7 @@
 #include "output/pictures/video.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -23,7 +25,22 @@ namespace fs = std::filesystem;
 using namespace output;
 using State = pictures::Look::State;
 
-constexpr int exit_interrupted = 130;
+/// What the command line asks for.
+struct RenderOptions {
+    std::vector<fs::path> runs;
+    std::vector<std::int64_t> frames; ///< empty: all that particles were written for
+    std::vector<State> states{State::particles, State::fluid};
+    pictures::Quantity color = pictures::Quantity::speed;
+    std::vector<double> range; ///< low and high, in the color bar's unit; empty: from the runs
+    pictures::View view = pictures::View::tilted;
+    std::optional<Size> size;        ///< of a picture or of a sheet's tile; without: the default
+    fs::path out;                    ///< empty: RUN_DIR/pictures
+    bool sheet = false;              ///< all in one picture
+    int columns = 0;                 ///< of a sheet; 0: as fits
+    std::vector<std::string> labels; ///< of the runs; empty: their scenarios' names
+    bool animation = false;          ///< a video, too
+    int rate = 10;                   ///< of the video [pictures/s]
+};
 
 /// What is to be drawn, checked.
 struct Plan {
@@ -37,17 +54,6 @@ struct Plan {
 std::string name_of(State state)
 {
     return state == State::particles ? "particles" : "fluid";
-}
-
-std::vector<State> states_of(const std::string& word)
-{
-    if (word == "both") {
-        return {State::particles, State::fluid};
-    }
-    if (word != "particles" && word != "fluid") {
-        throw InputError("--state", "unknown (" + word + ")", "allowed: particles, fluid, both");
-    }
-    return {word == "fluid" ? State::fluid : State::particles};
 }
 
 pictures::Range range_of(const RenderOptions& options, const std::vector<RecordedRun>& runs,
@@ -80,30 +86,19 @@ void check_labels(const RenderOptions& options)
                              std::to_string(options.runs.size()) + " runs",
                          "needed: one for each run");
     }
-    if (options.columns < 0) {
-        throw InputError("--columns", "out of range (" + std::to_string(options.columns) + ")",
-                         "allowed: at least 1");
-    }
-    if (options.rate < 1 || options.rate > 120) {
-        throw InputError("--fps", "out of range (" + std::to_string(options.rate) + ")", "allowed: 1 to 120");
-    }
-    if (options.animation && options.sheet) {
-        throw InputError("--animation", "no video of a sheet", "needed: either --animation or --sheet");
-    }
 }
 
 Plan make_plan(const RenderOptions& options)
 {
     check_labels(options);
     Plan plan;
-    plan.states = states_of(options.state);
-    plan.studio.view = view_of(options.view);
-    plan.studio.quantity = quantity_of(options.color);
+    plan.states = options.states;
+    plan.studio.view = options.view;
+    plan.studio.quantity = options.color;
     plan.studio.tile = options.sheet;
-    const auto [width, height] =
-        size_of(options.size.empty() ? (options.sheet ? "520x560" : "1200x1200") : options.size);
-    plan.studio.width = width;
-    plan.studio.height = height;
+    const Size size = options.size.value_or(options.sheet ? Size{520, 560} : Size{1200, 1200});
+    plan.studio.width = size.width;
+    plan.studio.height = size.height;
     for (const fs::path& directory : options.runs) {
         RecordedRun& run = plan.runs.emplace_back(directory);
         require_artery(directory.string(), run.scenario());
@@ -250,8 +245,6 @@ void report(const RenderOptions& options, const Plan& plan, const fs::path& dire
     }
 }
 
-} // namespace
-
 int render(const RenderOptions& options)
 {
     const Plan plan = make_plan(options);
@@ -265,7 +258,56 @@ int render(const RenderOptions& options)
         return exit_interrupted;
     }
     report(options, plan, directory);
-    return 0;
+    return exit_done;
+}
+
+} // namespace
+
+void add_render(CLI::App& app, std::optional<int>& code)
+{
+    const auto o = std::make_shared<RenderOptions>();
+    CLI::App* render_app = app.add_subcommand("render", "Draw frames of a run, or make a video of them");
+    render_app->add_option("RUN_DIR", o->runs, "directory of a run; several with --sheet")->required();
+    render_app
+        ->add_option("--frames", o->frames, "which, by commas (default: all that particles were written for)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    render_app
+        ->add_option_function<std::string>(
+            "--state",
+            [o](const std::string& word) {
+                if (word != "both") {
+                    o->states = {word == "fluid" ? State::fluid : State::particles};
+                }
+            },
+            "particles; fluid: the blood's surface; both")
+        ->check(CLI::IsMember({"particles", "fluid", "both"}))
+        ->default_str("both");
+    static constexpr std::array<std::string_view, 2> colors{"speed", "pressure"};
+    add_choice(*render_app, "--color", o->color, colors, "of the particles");
+    render_app
+        ->add_option("--range", o->range, "LOW,HIGH of the colors (default: from all frames of the runs)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    add_choice(*render_app, "--view", o->view, pictures::view_names, "sac, breach: close-ups");
+    add_size(*render_app, o->size, "of a picture, or of a tile (default: 1200x1200; tile 520x560)");
+    render_app->add_option("--out", o->out, "directory for the pictures (default: RUN_DIR/pictures)");
+    CLI::Option* sheet =
+        render_app->add_flag("--sheet", o->sheet, "all in one picture, sheet.png, with one color bar");
+    render_app->add_option("--columns", o->columns, "of the sheet (default: as many as tiles, at most 4)")
+        ->check(at_least(1));
+    render_app->add_option("--labels", o->labels, "of the runs, by commas (default: their scenarios' names)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    render_app->add_flag("--animation", o->animation, "also particles.webm and fluid.webm")->excludes(sheet);
+    render_app->add_option("--fps", o->rate, "pictures a second of the video")
+        ->check(CLI::Range(1, 120))
+        ->capture_default_str();
+    render_app->footer("Examples:\n"
+                       "  aneurysm render results/paper_tc1 --frames 400,2200,2400 --sheet\n"
+                       "  aneurysm render results/quick --state fluid --view sac --animation\n"
+                       "Needs no display. Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted.");
+    render_app->callback([o, &code] { code = render(*o); });
 }
 
 } // namespace aneurysm::app

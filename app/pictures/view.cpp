@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pictures/view.hpp"
 
+#include "app/options.hpp"
 #include "app/pictures/window.hpp"
 #include "app/pictures/words.hpp"
 #include "common/error.hpp"
@@ -19,6 +20,16 @@ namespace aneurysm::app
 namespace
 {
 
+struct ViewOptions {
+    std::filesystem::path scenario;
+    backends::BackendChoice backend{Backend::cpu, Precision::float_};
+    std::optional<std::int64_t> frames;         ///< where to stop; without: the scenario's last
+    std::optional<Size> size = Size{1400, 900}; ///< of the window
+    bool paused = false;                        ///< at the start
+    std::string keys;              ///< pressed one by one, each when the one before has had its effect
+    std::filesystem::path picture; ///< of the window when it closes; empty: none
+};
+
 constexpr std::array<std::string_view, 12> known_keys{"space", "n", "c", "f", "w", "1",
                                                       "2",     "3", "4", "h", "s", "q"};
 
@@ -35,15 +46,6 @@ std::vector<std::string> keys_of(const std::string& text)
     return keys;
 }
 
-std::int64_t last_frame(const ViewOptions& options, const Scenario& scenario)
-{
-    const std::int64_t last = options.frames.value_or(scenario.time.frames);
-    if (last < 1) {
-        throw InputError("--frames", "out of range (" + std::to_string(last) + ")", "allowed: at least 1");
-    }
-    return last;
-}
-
 void require_display()
 {
     if (!pictures::has_display()) {
@@ -53,15 +55,12 @@ void require_display()
     }
 }
 
-} // namespace
-
 int view(const ViewOptions& options)
 {
     const Scenario scenario = read_scenario(options.scenario);
     require_artery(options.scenario.string(), scenario);
     const std::vector<std::string> keys = keys_of(options.keys);
-    const std::int64_t last = last_frame(options, scenario);
-    const auto [width, height] = size_of(options.size);
+    const std::int64_t last = options.frames.value_or(scenario.time.frames);
     require_display();
     std::unique_ptr<Simulation> backend =
         backends::make_simulation(options.backend, scenario, std::nullopt, options.scenario);
@@ -69,7 +68,7 @@ int view(const ViewOptions& options)
     const pictures::Snapshot start{output::first_record(scenario),
                                    output::shown_particles({backend->state().particles, {}})};
     Worker worker(std::move(backend), start, last);
-    Window window(scenario, spacing, worker, last, width, height);
+    Window window(scenario, spacing, worker, last, options.size->width, options.size->height);
     worker.set_running(!options.paused);
     window.run(keys);
     if (!options.picture.empty()) {
@@ -80,7 +79,31 @@ int view(const ViewOptions& options)
         pictures::write_png(options.picture, window.picture());
     }
     std::cout << "Closed at frame " << window.frame() << " of " << last << std::endl;
-    return worker.status().error.empty() ? 0 : 1;
+    return worker.status().error.empty() ? exit_done : exit_failed;
+}
+
+} // namespace
+
+void add_view(CLI::App& app, std::optional<int>& code)
+{
+    const auto o = std::make_shared<ViewOptions>();
+    CLI::App* view_app = app.add_subcommand("view", "Simulate a scenario in a window");
+    view_app->add_option("SCENARIO", o->scenario, "scenario file")->required();
+    add_backend(*view_app, o->backend);
+    add_tuning(*view_app, o->backend);
+    view_app->add_option("--frames", o->frames, "stop at this frame instead of the scenario's last")
+        ->check(at_least(1));
+    add_size(*view_app, o->size, "of the window")->default_str("1400x900");
+    view_app->add_flag("--paused", o->paused, "start with a pause");
+    view_app->add_option("--keys", o->keys,
+                         "keys to press one by one, such as \"space n n q\"; q closes the window");
+    view_app->add_option("--picture", o->picture, "PNG file for what the window shows when q closes it")
+        ->check(file_in_folder());
+    view_app->footer(
+        "Example:\n"
+        "  aneurysm view data/scenarios/quick.json\n"
+        "Needs a display; the window lists its keys. Exit codes: 0 done, 1 failed, 2 bad input.");
+    view_app->callback([o, &code] { code = view(*o); });
 }
 
 } // namespace aneurysm::app

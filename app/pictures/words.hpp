@@ -1,23 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of the command line that both subcommands take.
+// What both subcommands take from the command line.
 #pragma once
 
 #include "common/scenario/scenario.hpp"
-#include "output/pictures/camera.hpp"
-#include "output/pictures/coloring.hpp"
 
+#include <CLI/CLI.hpp>
+
+#include <optional>
 #include <string>
-#include <utility>
 
 namespace aneurysm::app
 {
 
-/// \throws InputError, with what is allowed; all of these
-pictures::View view_of(const std::string& word);
-pictures::Quantity quantity_of(const std::string& word);
-/// WIDTHxHEIGHT [pixels]; both even, as videos need them
-std::pair<int, int> size_of(const std::string& word);
-/// `where`: what has the scenario, for the message
+/// Of a picture [pixels]; both even, as videos need them.
+struct Size {
+    int width = 0;
+    int height = 0;
+};
+
+/// --size WIDTHxHEIGHT
+CLI::Option* add_size(CLI::App& app, std::optional<Size>& size, const std::string& help);
+
+/// \param where  what has the scenario, for the message
+/// \throws InputError
 void require_artery(const std::string& where, const Scenario& scenario);
 
 } // namespace aneurysm::app

@@ -12,6 +12,21 @@
 
 namespace aneurysm
 {
+namespace
+{
+
+/// As the system's calls want it: with a null behind the last.
+std::vector<char*> pointers_to(std::vector<std::string>& words)
+{
+    std::vector<char*> pointers;
+    for (std::string& word : words) {
+        pointers.push_back(word.data());
+    }
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
+} // namespace
 
 std::string own_program(const std::string& name)
 {
@@ -21,11 +36,7 @@ std::string own_program(const std::string& name)
 void run_program(const std::vector<std::string>& words, const std::string& advice)
 {
     std::vector<std::string> copies = words;
-    std::vector<char*> arguments;
-    for (std::string& word : copies) {
-        arguments.push_back(word.data());
-    }
-    arguments.push_back(nullptr);
+    std::vector<char*> arguments = pointers_to(copies);
     pid_t child = 0;
     const int refused = posix_spawnp(&child, arguments.front(), nullptr, nullptr, arguments.data(), environ);
     if (refused != 0) {
@@ -42,6 +53,16 @@ void run_program(const std::vector<std::string>& words, const std::string& advic
                                                   : "signal " + std::to_string(WTERMSIG(status));
         throw Error(words.front(), "failed (" + how + ")", advice);
     }
+}
+
+void become_program(const std::string& name, const std::vector<std::string>& arguments,
+                    const std::string& asked_by, const std::string& needed)
+{
+    std::vector<std::string> words{own_program(name)};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    execv(words.front().c_str(), pointers_to(words).data());
+    throw InputError(asked_by, words.front() + " can't be started (" + std::strerror(errno) + ")",
+                     "needed: the program of that name beside this one; " + needed);
 }
 
 } // namespace aneurysm

@@ -23,12 +23,12 @@ std::unique_ptr<Simulation> simulate(const SimulationState& state, int list_bloc
 {
     device::Tuning tuning;
     tuning.list_blocks = list_blocks;
-    return make_cpu_simulation(two_steps(), Precision::double_, tuning, state);
+    return device::make_cpu_simulation(two_steps(), Precision::double_, tuning, state);
 }
 
 SimulationState settled()
 {
-    return make_cpu_simulation(two_steps(), Precision::double_, {}, {})->state();
+    return device::make_cpu_simulation(two_steps(), Precision::double_, {}, {})->state();
 }
 /// Ghosts behind the first outlet start as blood: they have neighbors in the first step, and are ghosts
 /// again in the second.

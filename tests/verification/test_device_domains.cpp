@@ -48,15 +48,14 @@ SimulationState shaken(const Scenario& s)
     return state;
 }
 
-comparison::ComparisonResult compare(const Scenario& s, Simulation& candidate, Precision precision,
-                                     int frames)
+comparison::ComparisonResult compare(const Scenario& s, Simulation& candidate, int frames)
 {
     return comparison::compare_lockstep(s, candidate, frames, [](const FrameRecord&) { return true; });
 }
 bool passes(const Scenario& s, const SimulationState& start, Precision precision, int frames)
 {
     const auto candidate = backends::make_simulation({Backend::cpu, precision}, s, start);
-    return compare(s, *candidate, precision, frames).passed();
+    return compare(s, *candidate, frames).passed();
 }
 
 /// How many particles are somewhere else than their way led without a seam.
@@ -88,7 +87,7 @@ BOOST_AUTO_TEST_CASE(domains_pass_in_lockstep_from_the_start)
             const Scenario s = scenario(c.name);
             const SimulationState start = reference::Simulation(s).state();
             for (const Precision precision : {Precision::double_, Precision::float_}) {
-                BOOST_TEST(passes(s, start, precision, c.frames), precision);
+                BOOST_TEST(passes(s, start, precision, c.frames), name_of(precision));
             }
         }
     }
@@ -106,7 +105,7 @@ BOOST_AUTO_TEST_CASE(domains_pass_in_lockstep_when_blood_goes_through_seams)
             const Vec3 box = make_vessel(s).period();
             for (const Precision precision : {Precision::double_, Precision::float_}) {
                 const auto candidate = backends::make_simulation({Backend::cpu, precision}, s, start);
-                BOOST_TEST(compare(s, *candidate, precision, 8).passed(), precision);
+                BOOST_TEST(compare(s, *candidate, 8).passed(), name_of(precision));
                 BOOST_TEST((through_seams(start, candidate->state()) > 0) == (length(box) > 0));
                 BOOST_TEST(in_box(candidate->state(), box));
             }
@@ -146,8 +145,8 @@ BOOST_AUTO_TEST_CASE(lockstep_finds_another_seam)
     const SimulationState start = shaken(right);
     Candidate good(right, start, Precision::float_);
     Candidate bad(wrong, start, Precision::float_);
-    BOOST_TEST(compare(right, good, Precision::float_, 1).passed());
-    BOOST_TEST(!compare(right, bad, Precision::float_, 1).passed());
+    BOOST_TEST(compare(right, good, 1).passed());
+    BOOST_TEST(!compare(right, bad, 1).passed());
 }
 
 BOOST_AUTO_TEST_CASE(lockstep_finds_a_wall_that_slips_and_another_swing_of_the_force)
@@ -157,7 +156,7 @@ BOOST_AUTO_TEST_CASE(lockstep_finds_a_wall_that_slips_and_another_swing_of_the_f
         Scenario wrong = right;
         change(wrong);
         Candidate bad(wrong, shaken(right), Precision::double_);
-        return !compare(right, bad, Precision::double_, 2).passed();
+        return !compare(right, bad, 2).passed();
     };
     BOOST_TEST(!finds([](Scenario&) {}));
     BOOST_TEST(finds([](Scenario& s) { s.domain.wall = WallCondition::slip; }));

@@ -41,8 +41,7 @@ const SimulationState& start()
     return starts()[1];
 }
 
-comparison::ComparisonResult compare(const Scenario& right, Simulation& candidate, Precision precision,
-                                     int frames)
+comparison::ComparisonResult compare(const Scenario& right, Simulation& candidate, int frames)
 {
     return comparison::compare_lockstep(right, candidate, frames, [](const FrameRecord&) { return true; });
 }
@@ -51,14 +50,14 @@ comparison::ComparisonResult compare(const Scenario& right, Simulation& candidat
 comparison::ComparisonResult compare_right(const Scenario& right, Precision precision, int frames)
 {
     Candidate candidate(right, start(), precision);
-    return compare(right, candidate, precision, frames);
+    return compare(right, candidate, frames);
 }
 
 comparison::ComparisonResult compare_faulty(const Faults& faults, Precision precision = Precision::float_,
                                             int frames = 1)
 {
     Candidate candidate(scenario(), start(), precision, faults);
-    return compare(scenario(), candidate, precision, frames);
+    return compare(scenario(), candidate, frames);
 }
 
 /// Another scenario is computed than should be, from frame 0: pressures,
@@ -66,7 +65,7 @@ comparison::ComparisonResult compare_faulty(const Faults& faults, Precision prec
 comparison::ComparisonResult compare_other(const Scenario& other, Precision precision)
 {
     Candidate candidate(other, starts()[0], precision);
-    return compare(scenario(), candidate, precision, 5);
+    return compare(scenario(), candidate, 5);
 }
 
 /// Whether the field's bound is broken.
@@ -131,7 +130,7 @@ BOOST_AUTO_TEST_CASE(lockstep_passes_with_substeps_and_with_the_equation_of_stat
     eos.pressure.stiffness_m2_s2 = 100;
     BOOST_TEST(compare_right(eos, Precision::float_, 5).passed());
     Candidate wrong(scenario(), start(), Precision::float_);
-    BOOST_TEST(!compare(eos, wrong, Precision::float_, 1).passed());
+    BOOST_TEST(!compare(eos, wrong, 1).passed());
 }
 
 BOOST_AUTO_TEST_CASE(lockstep_nothing_compared_is_a_failure)
