@@ -135,6 +135,12 @@ std::vector<std::byte> read_bytes(const fs::path& file)
     return bytes;
 }
 
+std::string read_text(const fs::path& file)
+{
+    const std::vector<std::byte> bytes = read_bytes(file);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; // NOLINT
+}
+
 LineFile::LineFile(fs::path file, Mode mode)
     : file_(std::move(file)),
       descriptor_(::open(file_.c_str(),

@@ -19,6 +19,7 @@ void write_atomically(const std::filesystem::path& file, std::string_view text);
 
 /// \throws InputError
 std::vector<std::byte> read_bytes(const std::filesystem::path& file);
+std::string read_text(const std::filesystem::path& file);
 
 /// A text file that grows line by line. A line is in it whole or not
 /// at all, and stays when the program is killed.

@@ -95,9 +95,7 @@ std::string frames_row(const FrameRecord& record)
 
 std::vector<FrameRecord> read_frames(const std::filesystem::path& file)
 {
-    const std::vector<std::byte> bytes = read_bytes(file);
-    std::istringstream stream(
-        std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())); // NOLINT
+    std::istringstream stream(read_text(file));
     std::string line;
     if (!std::getline(stream, line) || line != frames_header()) {
         throw InputError(file.string() + ": line 1", "other columns than this version writes",

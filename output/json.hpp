@@ -2,9 +2,13 @@
 // What our JSON reports share.
 #pragma once
 
+#include "common/error.hpp"
+#include "output/file.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 namespace aneurysm::output
@@ -27,6 +31,16 @@ Json json_array(const Range& range, const F& f)
         array.push_back(f(x));
     }
     return array;
+}
+
+/// \throws InputError with `advice` for a file that isn't there or no JSON
+inline Json read_json(const std::filesystem::path& file, const std::string& advice)
+{
+    try {
+        return Json::parse(read_text(file));
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(file.string(), std::string("not as it was written (") + error.what() + ")", advice);
+    }
 }
 
 inline std::string json_text(const Json& json)

@@ -2,11 +2,9 @@
 #include "output/recorded_run.hpp"
 
 #include "common/error.hpp"
-#include "output/file.hpp"
 #include "output/frames.hpp"
+#include "output/json.hpp"
 #include "output/run_directory.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <string>
@@ -21,16 +19,12 @@ namespace fs = std::filesystem;
 
 Scenario read_manifest_scenario(const fs::path& file)
 {
-    const std::vector<std::byte> bytes = read_bytes(file);
-    std::string scenario;
-    try {
-        const auto* const text = reinterpret_cast<const char*>(bytes.data()); // NOLINT
-        scenario = nlohmann::ordered_json::parse(text, text + bytes.size()).at("scenario").dump();
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(file.string(), std::string("not as it was written (") + error.what() + ")",
-                         "needed: an undamaged run directory");
+    const std::string advice = "needed: an undamaged run directory";
+    const Json manifest = read_json(file, advice);
+    if (!manifest.contains("scenario")) {
+        throw InputError(file.string(), "not as it was written (no scenario)", advice);
     }
-    return parse_scenario(scenario, file.string() + ": scenario");
+    return parse_scenario(manifest["scenario"].dump(), file.string() + ": scenario");
 }
 
 /// "0, 100, 200, ..., 3000": all of a few, the first and the last of many.

@@ -3,9 +3,8 @@
 
 #include "common/error.hpp"
 #include "output/frames.hpp"
+#include "output/json.hpp"
 #include "output/provenance.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,29 +15,17 @@ namespace
 {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr const char* hashes_name = "hashes.csv";
 constexpr const char* series_name = "particles.vtkhdf.series";
 constexpr std::array status_names{"running", "finished", "interrupted", "failed"};
+constexpr const char* undamaged = "needed: an undamaged run directory";
 
 std::string particle_file(std::int64_t frame)
 {
     constexpr std::size_t width = 6;
     const std::string number = std::to_string(frame);
     return "particles/frame_" + std::string(width - std::min(width, number.size()), '0') + number + ".vtkhdf";
-}
-
-Json read_json(const fs::path& file)
-{
-    const std::vector<std::byte> bytes = read_bytes(file);
-    try {
-        return Json::parse(reinterpret_cast<const char*>(bytes.data()),                 // NOLINT
-                           reinterpret_cast<const char*>(bytes.data()) + bytes.size()); // NOLINT
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(file.string(), std::string("not as it was written (") + error.what() + ")",
-                         "needed: an undamaged run directory");
-    }
 }
 
 /// Makes the directory and its parents; it must not exist.
@@ -80,12 +67,12 @@ void refuse_other_engine(const Json& manifest, const Engine& engine, const fs::p
 Engine RunDirectory::engine(const fs::path& directory)
 {
     const fs::path file = manifest_file(directory);
-    const Json manifest = read_json(file);
+    const Json manifest = read_json(file, undamaged);
     const auto backend = value_of<Backend>(manifest.value("backend", ""), backend_names);
     const auto precision = value_of<Precision>(manifest.value("precision", ""), precision_names);
     if (!backend || !precision) {
         throw InputError(file.string(), "names no backend and precision of this version",
-                         "needed: an undamaged run directory");
+                         undamaged);
     }
     return {*backend, *precision, manifest.value("device", "")};
 }
@@ -148,7 +135,7 @@ RunDirectory RunDirectory::resume(const fs::path& directory, const Checkpoint& c
                                   const Engine& engine)
 {
     const fs::path file = manifest_file(directory);
-    const Json manifest = read_json(file);
+    const Json manifest = read_json(file, undamaged);
     refuse_other_engine(manifest, engine, file);
     RunDirectory run(directory, checkpoint.scenario, engine, LineFile::Mode::append);
     const auto rows = static_cast<std::size_t>(checkpoint.state.frame);
@@ -213,8 +200,7 @@ void RunDirectory::write_manifest(RunStatus status, const std::string& message) 
     json["frame_hashes"] = hashes_name;
     json["scenario_hash"] = scenario_hash(scenario_);
     json["scenario"] = Json::parse(to_json(scenario_));
-    write_atomically(manifest_file(directory_),
-                     json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_atomically(manifest_file(directory_), json_text(json));
 }
 
 void RunDirectory::write_series() const

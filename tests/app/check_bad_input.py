@@ -163,6 +163,8 @@ def check_checkpoints(directory):
     manifest = run / "manifest.json"
     text = manifest.read_text()
     manifest.write_text(text.replace('"backend": "reference"', '"backend": "cpu"'))
+    refused(directory, [*again, "--backend", "reference"], [manifest, "backend"])
+    manifest.write_text(text.replace('"backend": "reference"', '"backend": "abacus"'))
     refused(directory, again, [manifest, "backend"])
     manifest.write_text(text[:50])
     refused(directory, again, [manifest])
@@ -175,15 +177,18 @@ def check_comparisons(directory):
     quick = data / "scenarios/quick.json"
     refused(directory, ["compare"], ["SCENARIO"])
     refused(directory, ["compare", quick, "--candidate", "x"], ["--candidate", "x"])
-    refused(directory, ["compare", quick, "--precision", "half"], ["--precision", "half"])
-    refused(directory, ["compare", quick, "--precision", "float"], ["--precision", "float"])
-    refused(directory, ["compare", quick, "--mode", "x"], ["--mode", "x"])
-    refused(directory, ["compare", quick, "--frames", "0"], ["--frames", "0"])
-    refused(directory, ["compare", quick, "--from", "-1"], ["--from", "-1"])
-    refused(directory, ["compare", quick, "--from", "100000"], ["--from", "100000"])
-    refused(directory, ["compare", quick, "--ensemble", "2"], ["--ensemble", "2"])
-    refused(directory, ["compare", quick, "--record", "x.csv"], ["--record", "lockstep"])
-    refused(directory, ["compare", quick, "--report", directory / "no/x.json"], ["--report", "no"])
+    refused(directory, ["compare", quick, "--candidate", "cpu", "--precision", "half"], ["--precision", "half"])
+    compare = ["compare", quick, "--candidate", "reference"]
+    refused(directory, compare[:2], ["--candidate"])
+    refused(directory, [*compare, "--precision", "float"], ["--precision", "float"])
+    refused(directory, [*compare, "--mode", "x"], ["--mode", "x", "lockstep"])
+    refused(directory, [*compare, "--frames", "0"], ["--frames", "0"])
+    refused(directory, [*compare, "--from", "-1"], ["--from", "-1"])
+    refused(directory, [*compare, "--from", "100000"], ["--from", "100000"])
+    refused(directory, [*compare, "--ensemble", "2"], ["--ensemble", "2"])
+    refused(directory, [*compare, "--record", "x.csv"], ["--record", "lockstep"])
+    refused(directory, [*compare, "--record", "x.csv", "--mode", "bits", "--from", "1"], ["--record", "--from"])
+    refused(directory, [*compare, "--report", directory / "no/x.json"], ["--report", "no"])
     (directory / "scenarios").mkdir()
     scenario = directory / "scenarios/copy.json"
     scenario.write_text(json.dumps({"base": str(quick), "name": "copy", "description": "a test"}))
@@ -213,7 +218,6 @@ def check_suite(directory):
     (full / "x").write_text("")
     file.write_text("")
     out = ["--out", "out"]
-    refused(directory, ["verify"], ["--out"])
     refused(directory, ["verify", "--out", full], [full, "isn't empty"])
     refused(directory, ["verify", "--out", file], [file, "isn't empty"])
     refused(directory, ["verify", "--out", "/proc/out"], ["/proc/out", "cannot be made"])
@@ -228,9 +232,11 @@ def check_suite(directory):
         refused(directory, ["verify", *out, "--backend", "cuda"], ["--backend", "cuda"])
     baseline = ["verify", "--baseline", "--data", data]
     refused(directory, ["verify", "--record"], ["--record", "--baseline"])
-    refused(directory, [*baseline], ["--out"])
-    refused(directory, [*baseline, *out, "--record"], ["--record", "--data"])
+    refused(directory, [*baseline, *out, "--record"], ["--record", "--out"])
     refused(directory, [*baseline, *out, "--full"], ["--baseline", "--full"])
+    refused(directory, ["verify", *out, "--faults", "some"], ["--faults", "some"])
+    refused(directory, ["verify", *out, "--faults", "ci"], ["--faults", "--sensitivity"])
+    refused(directory, ["verify", *out, "--sensitivity", "--backend", "cpu"], ["--sensitivity", "--backend"])
     refused(directory, [*baseline, *out, "--only", "quack"], ["--only", "quack", "quick, paper_tc1"])
     refused(directory, ["verify", "--baseline", *out, "--data", directory], ["baseline.json", "No such file"])
     for text in ("", "{}", '{"version": 1, "commit": "", "scenarios": []}'):

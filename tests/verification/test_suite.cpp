@@ -307,7 +307,6 @@ BOOST_AUTO_TEST_CASE(subjects_are_chosen_by_backend_and_precision)
     BOOST_TEST(names(suite::make_subjects({Backend::cpu}, {Precision::float_})) == "cpu float* ");
     BOOST_TEST(names(suite::make_subjects({Backend::cpu, Backend::reference})) ==
                "reference* cpu double* cpu float ");
-    BOOST_CHECK_THROW(suite::make_subjects({"gpu"}), InputError);
     BOOST_CHECK_THROW(suite::make_subjects({Backend::reference}, {Precision::float_}), InputError);
 }
 

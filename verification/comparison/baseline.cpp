@@ -174,11 +174,9 @@ const std::vector<std::string>& key_names()
 Baseline read_baseline(const fs::path& data)
 {
     const fs::path file = data / "baseline.json";
-    const std::vector<std::byte> bytes = output::read_bytes(file);
     Baseline baseline;
     try {
-        const auto* begin = reinterpret_cast<const char*>(bytes.data()); // NOLINT
-        baseline = baseline_from(output::Json::parse(begin, begin + bytes.size()), data);
+        baseline = baseline_from(output::Json::parse(output::read_text(file)), data);
     } catch (const nlohmann::json::exception& error) {
         throw InputError(file.string(), std::string("not as it was written (") + error.what() + ")",
                          "needed: a recorded baseline");

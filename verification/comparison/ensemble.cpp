@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/comparison/ensemble.hpp"
 
+#include "common/parallel.hpp"
 #include "reference/simulation.hpp"
 #include "verification/bounds/frame.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <numbers>
 #include <random>
-#include <thread>
 
 namespace aneurysm::comparison
 {
@@ -162,33 +159,9 @@ std::vector<FreeRun> run_ensemble(const Scenario& scenario, const SimulationStat
                                   const FrameDone& done)
 {
     std::vector<FreeRun> runs(static_cast<std::size_t>(members) + 1);
-    std::atomic<int> next = 0;
-    std::mutex mutex;
-    std::exception_ptr failure;
-    const auto work = [&] {
-        for (int member = next++; member <= members; member = next++) {
-            try {
-                runs[static_cast<std::size_t>(member)] =
-                    run_member(scenario, start, precision, frames, window, member, done);
-            } catch (...) {
-                const std::lock_guard lock(mutex);
-                failure = failure ? failure : std::current_exception();
-                next = members + 1;
-            }
-        }
-    };
-    std::vector<std::thread> threads;
-    const unsigned count =
-        std::clamp(std::thread::hardware_concurrency(), 1U, static_cast<unsigned>(members) + 1);
-    for (unsigned k = 0; k < count; ++k) {
-        threads.emplace_back(work);
-    }
-    for (std::thread& thread : threads) {
-        thread.join();
-    }
-    if (failure) {
-        std::rethrow_exception(failure);
-    }
+    in_parallel(runs.size(), std::min(thread_count(0), members + 1), [&](std::size_t k) {
+        runs[k] = run_member(scenario, start, precision, frames, window, static_cast<int>(k), done);
+    });
     return runs;
 }
 

@@ -93,9 +93,7 @@ std::string to_csv(const RecordedHashes& hashes)
 RecordedHashes read_hashes(const std::filesystem::path& file, const std::string& scenario,
                            Precision precision)
 {
-    const std::vector<std::byte> bytes = output::read_bytes(file);
-    std::istringstream stream(
-        std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())); // NOLINT
+    std::istringstream stream(output::read_text(file));
     RecordedHashes result;
     bool has_precision = false;
     std::size_t number = 0;

@@ -4,7 +4,7 @@
 #include "common/error.hpp"
 #include "common/process/subprocess.hpp"
 #include "common/scenario/shipped.hpp"
-#include "output/file.hpp"
+#include "output/json.hpp"
 
 namespace aneurysm::reproduction
 {
@@ -12,7 +12,7 @@ namespace
 {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using output::Json;
 
 /// Beyond the reach of any impact here [Pa].
 constexpr double unreachable_yield = 1e9;
@@ -77,14 +77,7 @@ void render(const std::vector<std::string>& words)
 
 nlohmann::json read_data(const std::string& name)
 {
-    const fs::path file = data_directory() / name;
-    const std::vector<std::byte> bytes = output::read_bytes(file);
-    const auto* text = reinterpret_cast<const char*>(bytes.data()); // NOLINT
-    nlohmann::json json = nlohmann::json::parse(text, text + bytes.size(), nullptr, false);
-    if (json.is_discarded()) {
-        throw InputError(file.string(), "is no JSON", "needed: the file as it was shipped");
-    }
-    return json;
+    return output::read_json(data_directory() / name, "needed: the file as it was shipped");
 }
 
 Scenario unbreakable(Scenario scenario)

@@ -2,6 +2,7 @@
 #include "verification/reproduction/run_store.hpp"
 
 #include "common/error.hpp"
+#include "common/parallel.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
 #include "output/build_info.hpp"
@@ -14,11 +15,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
-#include <exception>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace aneurysm::reproduction
@@ -41,9 +38,7 @@ Made made(const fs::path& directory, const Scenario& scenario, const backends::B
     if (!fs::exists(file)) {
         return {};
     }
-    const std::vector<std::byte> bytes = output::read_bytes(file);
-    const auto* text = reinterpret_cast<const char*>(bytes.data()); // NOLINT
-    const Json json = Json::parse(text, text + bytes.size(), nullptr, false);
+    const Json json = Json::parse(output::read_text(file), nullptr, false);
     if (!json.is_object()) {
         return {};
     }
@@ -75,85 +70,10 @@ void make_run(const fs::path& directory, const Scenario& scenario, const backend
     output::run_frames(scenario, scenario.time.frames, *backend, run, on_frame);
 }
 
-/// Runs, taken by several threads one after the other; the first failure is kept and ends them all.
-class Crew
-{
-public:
-    Crew(const RunStore& store, std::vector<Scenario> scenarios, backends::BackendChoice choice)
-        : store_(store), scenarios_(std::move(scenarios)), choice_(choice)
-    {
-        for (const Scenario& scenario : scenarios_) {
-            frames_ += scenario.time.frames;
-        }
-    }
-
-    void run(std::size_t threads)
-    {
-        working_ = threads;
-        std::vector<std::jthread> crew;
-        for (std::size_t t = 0; t < threads; ++t) {
-            crew.emplace_back([this] { work(); });
-        }
-        Progress progress("frame", 0, frames_);
-        while (working_ > 0) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
-            progress.show(done_,
-                          std::to_string(finished_) + " of " + std::to_string(scenarios_.size()) + " runs");
-        }
-        crew.clear();
-        if (failure_) {
-            std::rethrow_exception(failure_);
-        }
-    }
-
-private:
-    void work()
-    {
-        for (std::size_t k = next_++; k < scenarios_.size() && !InterruptWatch::interrupted() && !failed();
-             k = next_++) {
-            make(scenarios_[k]);
-        }
-        --working_;
-    }
-    void make(const Scenario& scenario)
-    {
-        try {
-            std::int64_t shown = 0;
-            make_run(store_.directory(scenario), scenario, choice_, [&](const FrameRecord& record) {
-                done_ += record.frame - shown;
-                shown = record.frame;
-            });
-            ++finished_;
-        } catch (...) {
-            const std::scoped_lock lock(mutex_);
-            if (!failure_) {
-                failure_ = std::current_exception();
-            }
-        }
-    }
-    bool failed()
-    {
-        const std::scoped_lock lock(mutex_);
-        return failure_ != nullptr;
-    }
-
-    const RunStore& store_;
-    std::vector<Scenario> scenarios_;
-    backends::BackendChoice choice_;
-    std::int64_t frames_ = 0;
-    std::atomic<std::size_t> next_{0};
-    std::atomic<std::int64_t> done_{0};
-    std::atomic<int> finished_{0};
-    std::atomic<std::size_t> working_{0};
-    std::mutex mutex_;
-    std::exception_ptr failure_;
-};
-
 } // namespace
 
 RunStore::RunStore(fs::path directory, backends::BackendChoice backend, int jobs)
-    : directory_(std::move(directory)), backend_(backend),
-      jobs_(jobs > 0 ? jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency())))
+    : directory_(std::move(directory)), backend_(backend), jobs_(thread_count(jobs))
 {
 }
 
@@ -177,11 +97,31 @@ void RunStore::make(const std::vector<Scenario>& scenarios)
         return;
     }
     // A GPU makes one run at a time; on a CPU runs side by side are faster than threads in each.
-    const std::size_t at_once =
-        backend_.backend == Backend::cuda ? 1 : std::min(missing.size(), static_cast<std::size_t>(jobs_));
+    const int at_once =
+        backend_.backend == Backend::cuda ? 1 : std::min(static_cast<int>(missing.size()), jobs_);
     backends::BackendChoice choice = backend_;
-    choice.threads = std::max(1, jobs_ / static_cast<int>(at_once));
-    Crew(*this, std::move(missing), choice).run(at_once);
+    choice.threads = std::max(1, jobs_ / at_once);
+    std::int64_t frames = 0;
+    for (const Scenario& scenario : missing) {
+        frames += scenario.time.frames;
+    }
+    Progress progress("frame", 0, frames);
+    std::atomic<std::int64_t> done = 0;
+    std::atomic<int> finished = 0;
+    const auto make_one = [&](std::size_t k) {
+        if (InterruptWatch::interrupted()) {
+            return;
+        }
+        std::int64_t shown = 0;
+        make_run(directory(missing[k]), missing[k], choice, [&](const FrameRecord& record) {
+            done += record.frame - shown;
+            shown = record.frame;
+        });
+        ++finished;
+    };
+    in_parallel(missing.size(), at_once, make_one, [&] {
+        progress.show(done, std::to_string(finished) + " of " + std::to_string(missing.size()) + " runs");
+    });
     if (InterruptWatch::interrupted()) {
         throw Interrupted();
     }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/sensitivity/sensitivity.hpp"
 
+#include "common/parallel.hpp"
 #include "common/process/interrupt.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <thread>
 #include <tuple>
 
 namespace aneurysm::sensitivity
@@ -78,21 +78,18 @@ private:
     template <class Item, class Work>
     void share(const std::string& part, std::vector<Item>& items, const Work& work)
     {
-        std::size_t next = 0; // both guarded by the turn
-        std::int64_t done = 0;
-        std::vector<std::jthread> threads;
-        for (int t = 0; t < std::max(options_.jobs, 1); ++t) {
-            threads.emplace_back([&] {
-                Turn turn(mutex_);
-                while (next < items.size() && !InterruptWatch::interrupted()) {
-                    const std::string last = work(items[next++], turn);
-                    ++done;
-                    if (after_step_) {
-                        after_step_(part, done, static_cast<std::int64_t>(items.size()), last);
-                    }
-                }
-            });
-        }
+        std::int64_t done = 0; // guarded by the turn
+        in_parallel(items.size(), options_.jobs, [&](std::size_t k) {
+            Turn turn(mutex_);
+            if (InterruptWatch::interrupted()) {
+                return;
+            }
+            const std::string last = work(items[k], turn);
+            ++done;
+            if (after_step_) {
+                after_step_(part, done, static_cast<std::int64_t>(items.size()), last);
+            }
+        });
     }
 
     static TrialResult tried(const BaselineCase& c, const Mutant& mutant, Turn& turn)

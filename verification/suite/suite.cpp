@@ -2,15 +2,15 @@
 #include "verification/suite/suite.hpp"
 
 #include "common/error.hpp"
+#include "common/parallel.hpp"
 #include "common/process/interrupt.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cctype>
 #include <chrono>
-#include <condition_variable>
 #include <mutex>
-#include <thread>
 
 namespace aneurysm::suite
 {
@@ -52,13 +52,24 @@ bool matches(const Check& check, const std::string& word)
     return std::ranges::find(check.equations, name) != check.equations.end();
 }
 
-std::string list(const std::vector<const Check*>& checks)
+/// What a word that matches no chosen check may have meant: checks that only --full makes, or such as have
+/// its first letters in their names.
+std::string hint(const std::vector<Check>& checks, const std::string& word)
 {
-    std::string text;
-    for (const Check* check : checks) {
-        text += (text.empty() ? "" : ", ") + std::string(check->id);
+    const std::string first = upper(word.substr(0, 4));
+    std::vector<std::string_view> slow;
+    std::vector<std::string_view> near;
+    for (const Check& check : checks) {
+        if (matches(check, word)) {
+            slow.push_back(check.id);
+        } else if (!first.empty() && upper(std::string(check.id)).find(first) != std::string::npos) {
+            near.push_back(check.id);
+        }
     }
-    return text;
+    if (!slow.empty()) {
+        return "with --full there is " + joined(slow);
+    }
+    return near.empty() ? "the names stand in the report" : "near it: " + joined(near);
 }
 
 /// What its quantities say.
@@ -115,73 +126,19 @@ std::vector<Job> make_jobs(const std::vector<const Check*>& checks, const std::v
     return jobs;
 }
 
-/// The jobs in their order on several threads; the caller's own looks on.
-class Workers
+void run(Job& job)
 {
-public:
-    Workers(std::vector<Job>& jobs, int threads) : jobs_(jobs)
-    {
-        for (int t = 0; t < std::max(threads, 1); ++t) {
-            threads_.emplace_back([this] { work(); });
-        }
+    if (job.subject == nullptr) {
+        return;
     }
-
-    void watch(const AfterResult& after_result)
-    {
-        const auto all = static_cast<std::int64_t>(jobs_.size());
-        std::unique_lock lock(mutex_);
-        while (done_ < all) {
-            changed_.wait_for(lock, std::chrono::milliseconds(200));
-            const std::int64_t done = done_;
-            const std::string doing = doing_;
-            lock.unlock();
-            if (after_result) {
-                after_result(done, all, doing);
-            }
-            lock.lock();
-        }
+    if (InterruptWatch::interrupted()) {
+        job.result.message = interruption;
+        return;
     }
-
-private:
-    void work()
-    {
-        for (std::size_t k = next_++; k < jobs_.size(); k = next_++) {
-            Job& job = jobs_[k];
-            {
-                const std::scoped_lock lock(mutex_);
-                doing_ = std::string(job.result.check->id) + " (" + job.result.subject + ")";
-            }
-            run(job);
-            {
-                const std::scoped_lock lock(mutex_);
-                ++done_;
-            }
-            changed_.notify_one();
-        }
-    }
-
-    static void run(Job& job)
-    {
-        if (job.subject == nullptr) {
-            return;
-        }
-        if (InterruptWatch::interrupted()) {
-            job.result.message = interruption;
-            return;
-        }
-        const std::string name = job.result.subject;
-        job.result = run_check(*job.result.check, *job.subject);
-        job.result.subject = name;
-    }
-
-    std::vector<Job>& jobs_;
-    std::atomic<std::size_t> next_ = 0;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::int64_t done_ = 0;
-    std::string doing_;
-    std::vector<std::jthread> threads_; // last: they end before what they use
-};
+    const std::string name = job.result.subject;
+    job.result = run_check(*job.result.check, *job.subject);
+    job.result.subject = name;
+}
 
 } // namespace
 
@@ -197,8 +154,8 @@ std::vector<const Check*> select(const std::vector<Check>& checks, bool full,
     for (const std::string& word : only) {
         if (std::ranges::none_of(all, [&](const Check* check) { return matches(*check, word); })) {
             throw InputError("--only", "matches no check (" + word + ")",
-                             std::string("allowed: L0 to L5, equations such as 13 or EOS, words of ") +
-                                 list(all) + (full ? "" : "; --full has more"));
+                             "allowed: L0 to L5, equations such as 13 or EOS, words of checks' names; " +
+                                 hint(checks, word));
         }
     }
     if (!only.empty()) {
@@ -264,7 +221,23 @@ SuiteResult run_suite(const std::vector<const Check*>& checks, std::vector<Suite
     analytic::gsl_return_errors(); // else an error in one check ends the program
     SuiteResult suite{.subjects = std::move(subjects)};
     std::vector<Job> jobs = make_jobs(checks, suite.subjects);
-    Workers(jobs, threads).watch(after_result);
+    std::mutex mutex;
+    std::string doing; // guarded by it
+    std::atomic<std::int64_t> done = 0;
+    const auto work = [&](std::size_t k) {
+        {
+            const std::scoped_lock lock(mutex);
+            doing = std::string(jobs[k].result.check->id) + " (" + jobs[k].result.subject + ")";
+        }
+        run(jobs[k]);
+        ++done;
+    };
+    in_parallel(jobs.size(), threads, work, [&] {
+        const std::scoped_lock lock(mutex);
+        if (after_result) {
+            after_result(done, static_cast<std::int64_t>(jobs.size()), doing);
+        }
+    });
     for (Job& job : jobs) {
         suite.results.push_back(std::move(job.result));
     }
