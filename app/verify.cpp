@@ -144,7 +144,8 @@ void add_verify(CLI::App& app, std::optional<int>& code)
         "--out", options->out,
         "directory for the reports; must not exist, or be empty (default: results/verify, results/baseline, "
         "results/sensitivity)");
-    CLI::Option* quick = verify_app->add_flag("--quick", "the checks that take seconds (default)");
+    CLI::Option* quick =
+        verify_app->add_flag("--quick", options->quick, "the checks that take seconds (default)");
     CLI::Option* full = verify_app->add_flag("--full", options->full, "all checks, minutes")->excludes(quick);
     CLI::Option* only = verify_app
                             ->add_option("--only", options->only,

@@ -13,6 +13,7 @@ namespace aneurysm::app
 /// Of `aneurysm verify`, in all that it can be asked for.
 struct VerifyOptions {
     std::filesystem::path out;         ///< directory for the reports; must not exist, or be empty
+    bool quick = false;                ///< only checks that take seconds; also without it
     bool full = false;                 ///< also checks that take minutes
     std::vector<std::string> only;     ///< see select; empty: all
     std::vector<Backend> backends;     ///< see make_subjects; empty: all

@@ -4,7 +4,8 @@
 #include "common/error.hpp"
 #include "verification/backends/float_state.hpp"
 #include "verification/comparison/ensemble.hpp"
-#include "verification/comparison/student_t.hpp"
+
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -219,6 +220,11 @@ FreeRun run_candidate(Simulation& candidate, std::int64_t frames, std::int64_t w
 }
 
 } // namespace
+
+double prediction_factor(int members, double alpha)
+{
+    return gsl_cdf_tdist_Qinv(alpha / 2, members - 1) * std::sqrt(1 + 1.0 / members);
+}
 
 ComparisonResult compare_free(const Scenario& scenario, Simulation& candidate,
                               const FreeRunSettings& settings, const AfterFrame& after_frame)

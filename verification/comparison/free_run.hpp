@@ -39,4 +39,8 @@ struct FreeRunSettings {
 ComparisonResult compare_free(const Scenario& scenario, Simulation& candidate,
                               const FreeRunSettings& settings, const AfterFrame& after_frame);
 
+/// How many standard deviations a further member of a normal sample of `members`, at least 2, is at most away
+/// from their mean, but for the probability `alpha` (two-sided): t_{members-1, 1-alpha/2} sqrt(1 + 1/members).
+double prediction_factor(int members, double alpha);
+
 } // namespace aneurysm::comparison
