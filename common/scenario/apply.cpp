@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/scenario/json.hpp"
+#include "common/text.hpp"
 
 #include <cmath>
 #include <limits>
@@ -10,15 +11,6 @@ namespace aneurysm::fields
 {
 namespace
 {
-
-std::string list(const std::set<std::string>& names)
-{
-    std::string text;
-    for (const auto& name : names) {
-        text += (text.empty() ? "" : ", ") + name;
-    }
-    return text;
-}
 
 /// One JSON value into one member.
 class Reader
@@ -149,13 +141,13 @@ void refuse_unknown_in_group(const std::string& group, const Json& value, const 
 {
     if (!value.is_object()) {
         throw InputError(place(origin, group), "not an object (" + shown(value) + ")",
-                         "allowed: an object with the keys " + list(known_keys().at(group)));
+                         "allowed: an object with the keys " + joined(known_keys().at(group)));
     }
     for (const auto& [key, unused] : value.items()) {
         if (!known_keys().at(group).contains(key)) {
             throw InputError(place(origin, group).append(".").append(key),
                              "unknown key (value " + shown(unused) + ")",
-                             "allowed in " + group + ": " + list(known_keys().at(group)));
+                             "allowed in " + group + ": " + joined(known_keys().at(group)));
         }
     }
 }
@@ -183,7 +175,7 @@ void refuse_unknown(const Json& json, const std::string& origin)
                 }
             }
             throw InputError(place(origin, key), "unknown key (value " + shown(value) + ")",
-                             "allowed: " + list(allowed));
+                             "allowed: " + joined(allowed));
         }
     }
 }

@@ -2,6 +2,7 @@
 #include "verification/comparison/hash_file.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "output/build_info.hpp"
 #include "output/file.hpp"
 #include "output/frames.hpp"
@@ -81,11 +82,7 @@ std::string to_csv(const RecordedHashes& hashes)
          << "# version " << output::build_info().version << "\n"
          << header() << "\n";
     for (const auto& [frame, row] : hashes.frames) {
-        text << frame;
-        for (const std::string& hash : row) {
-            text << "," << hash;
-        }
-        text << "\n";
+        text << frame << "," << joined(row, ",") << "\n";
     }
     return text.str();
 }

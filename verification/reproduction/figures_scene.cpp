@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Figures 4, 5, 6 and 8: what the flow and the wall look like.
 #include "common/error.hpp"
+#include "common/text.hpp"
 #include "verification/reproduction/ensemble.hpp"
 #include "verification/reproduction/items.hpp"
 #include "verification/reproduction/variants.hpp"
@@ -15,15 +16,6 @@ namespace aneurysm::reproduction
 namespace
 {
 
-std::string joined(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const std::string& word : words) {
-        text += (text.empty() ? "" : ",") + word;
-    }
-    return text;
-}
-
 /// One picture with a tile for each run and frame.
 Picture sheet(Reproduction& reproduction, const std::string& id, const std::string& state,
               const std::vector<Scenario>& scenarios, const std::vector<std::string>& labels,
@@ -37,7 +29,7 @@ Picture sheet(Reproduction& reproduction, const std::string& id, const std::stri
     }
     words.insert(words.end(), {"--frames", frames, "--state", state, "--sheet", "--out", folder.string()});
     if (!labels.empty()) {
-        words.insert(words.end(), {"--labels", joined(labels)});
+        words.insert(words.end(), {"--labels", joined(labels, ",")});
     }
     render(words);
     return {folder / "sheet.png", caption};
@@ -97,7 +89,7 @@ std::string paper_frames(const Reproduction& reproduction)
     for (const int frame : reproduction.paper.at("figures").at("fig4_frames")) {
         frames.push_back(std::to_string(frame));
     }
-    return joined(frames);
+    return joined(frames, ",");
 }
 
 std::string which_run(const Typical& typical)
