@@ -96,7 +96,8 @@ void print_summary(const Start& start, double rate)
 {
     std::cout << "Results in " << start.out.string() << "\n"
               << output::summary(start.scenario, output::read_frames(RunDirectory::frames_file(start.out)))
-              << "  speed          " << std::setprecision(4) << rate << " frames/s, without the settling at the start\n"
+              << "  speed          " << std::setprecision(4) << rate
+              << " frames/s, without the settling at the start\n"
               << "frames.csv has the numbers of every frame; ParaView opens particles.vtkhdf.series"
               << std::endl;
 }

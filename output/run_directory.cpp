@@ -71,8 +71,7 @@ Engine RunDirectory::engine(const fs::path& directory)
     const auto backend = value_of<Backend>(manifest.value("backend", ""), backend_names);
     const auto precision = value_of<Precision>(manifest.value("precision", ""), precision_names);
     if (!backend || !precision) {
-        throw InputError(file.string(), "names no backend and precision of this version",
-                         undamaged);
+        throw InputError(file.string(), "names no backend and precision of this version", undamaged);
     }
     return {*backend, *precision, manifest.value("device", "")};
 }
