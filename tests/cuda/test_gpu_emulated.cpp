@@ -84,8 +84,8 @@ void check_frames(const Scenario& scenario, Precision precision, const Simulatio
     const auto cpu = on_cpu(scenario, precision, start);
     for (int n = 0; n < frames; ++n) {
         const FrameRecord record = gpu->advance();
-        BOOST_TEST_CONTEXT(precision << ", frame " << record.frame << ", blocks of " << way.block_size
-                                     << (way.backwards ? ", backwards" : ""))
+        BOOST_TEST_CONTEXT(name_of(precision) << ", frame " << record.frame << ", blocks of "
+                                              << way.block_size << (way.backwards ? ", backwards" : ""))
         {
             check_same(record, cpu->advance());
             check_same(gpu->state(), cpu->state());
@@ -250,7 +250,7 @@ BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_with_an_equation_of_state)
 /// Blood that goes through seams, and open ends beside them.
 BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_in_periodic_domains)
 {
-    const std::pair<std::string, std::string> runs[] = {
+    const std::pair<std::string, Precision> runs[] = {
         {"box", Precision::double_}, {"slip_channel", Precision::float_}, {"duct", Precision::float_}};
     for (const auto& [name, precision] : runs) {
         Scenario scenario = read_scenario(ANEURYSM_DATA "/scenarios/verify_" + name + ".json");
