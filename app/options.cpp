@@ -3,9 +3,9 @@
 
 #include "common/error.hpp"
 
+#include <charconv>
 #include <exception>
 #include <iostream>
-#include <limits>
 
 namespace aneurysm::app
 {
@@ -30,9 +30,18 @@ void add_tuning(CLI::App& app, backends::BackendChoice& choice)
         ->capture_default_str();
 }
 
-CLI::Range at_least(std::int64_t least)
+CLI::Validator at_least(std::int64_t least)
 {
-    return {least, std::numeric_limits<std::int64_t>::max(), "INT, at least " + std::to_string(least)};
+    const std::string allowed = "at least " + std::to_string(least);
+    return {[least, allowed](const std::string& text) {
+                std::int64_t number = 0;
+                const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
+                const bool good = end.ec == std::errc() && end.ptr == text.data() + text.size();
+                return good && number >= least
+                           ? std::string()
+                           : "no whole number in range (" + text + "), allowed: " + allowed;
+            },
+            allowed};
 }
 
 CLI::Validator file_in_folder()

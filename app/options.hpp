@@ -61,7 +61,7 @@ void add_backend(CLI::App& app, backends::BackendChoice& choice, const std::stri
 void add_tuning(CLI::App& app, backends::BackendChoice& choice);
 
 /// A count from `least` on.
-CLI::Range at_least(std::int64_t least);
+CLI::Validator at_least(std::int64_t least);
 /// A file in a folder that exists; found out before hours of work.
 CLI::Validator file_in_folder();
 

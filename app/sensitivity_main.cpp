@@ -75,7 +75,7 @@ void write(const std::filesystem::path& directory, const sensitivity::Sensitivit
                              report::html(sensitivity::sensitivity_document(report, true)));
 }
 
-int sensitivity(const Options& options)
+int run_study(const Options& options)
 {
     const std::vector<const suite::Check*> checks =
         suite::select(checks::all_checks(), options.full, options.only);
@@ -119,6 +119,6 @@ int main(int argc, char** argv)
     app.add_option("--jobs", options.jobs, "processes at once; 0: as many as there are cores")
         ->check(at_least(0));
     std::optional<int> code;
-    app.callback([&] { code = sensitivity(options); });
+    app.callback([&] { code = run_study(options); });
     return run_program(app, code, argc, argv);
 }
