@@ -15,7 +15,7 @@ using namespace aneurysm::test;
 namespace
 {
 
-/// The run with a planted fault: change(frame record) for each frame from `first` on.
+/// The run with a mutant: change(frame record) for each frame from `first` on.
 template <class Change>
 Run with_fault(Run faulty, Change change, std::size_t first = 0)
 {
