@@ -24,9 +24,11 @@ def planted(root, check, faults):
     for place, old, new, expected in faults:
         with tempfile.TemporaryDirectory() as folder:
             copy = Path(folder)
-            for room in ROOMS:
+            for room in (*ROOMS, "data", "docs", "cmake"):
                 if (root / room).is_dir():
                     shutil.copytree(root / room, copy / room)
+            for page in root.glob("*.md"):
+                shutil.copy(page, copy)
             texts = {p: p.read_text(encoding="utf-8") for p in (sources(copy, place) or [copy / place])}
             if not any(old in text for text in texts.values()):
                 missed.append(f"{place}: nothing to plant a fault in: {old!r}")
