@@ -241,16 +241,14 @@ Text subject_cell(const EquationCell& c)
     return {"–", Look::weak};
 }
 
+/// The reason of what was not checked is in the list of that name, too.
 Text verdict_cell(const EquationSummary& e)
 {
-    if (e.verdict == EquationVerdict::holds) {
-        return {name_of(e.verdict), Look::holds};
-    }
-    Text text(name_of(e.verdict), e.verdict == EquationVerdict::not_checked ? Look::warn : Look::fails);
-    if (e.only_shared) {
-        text += Text(" only in shared runs", Look::weak);
-    }
-    return e.remark.empty() ? text : text + (": " + e.remark);
+    const Look look = e.verdict == EquationVerdict::holds         ? Look::holds
+                      : e.verdict == EquationVerdict::not_checked ? Look::warn
+                                                                  : Look::fails;
+    const Text verdict = report::Span{std::string(name_of(e.verdict)), look, {}, e.remark};
+    return e.only_shared ? verdict + Text(" only in shared runs", Look::weak) : verdict;
 }
 
 /// The checks that can show that it holds, with what they compare with; the others in a line each.
@@ -287,13 +285,14 @@ void add_equations(Document& document, const SuiteReport& report)
     for (const SuiteSubject& s : report.suite.subjects) {
         table.columns.push_back(number(s.subject.name()));
     }
-    table.columns.insert(
-        table.columns.end(),
-        {{"reading"}, prose("how the printed formula is read"), prose("checks: what they compare with")});
+    table.columns.insert(table.columns.end(),
+                         {prose("how the printed formula is read"), prose("checks: what they compare with")});
     for (const EquationSummary& e : report.equations) {
         Row row{number_of(*e.equation), e.equation->title, verdict_cell(e)};
         std::ranges::transform(e.cells, std::back_inserter(row), subject_cell);
-        row.insert(row.end(), {name_of(e.equation->status), e.equation->deviation, checks_cell(report, e)});
+        row.insert(row.end(), {Text(name_of(e.equation->status), Look::strong) +
+                                   (e.equation->deviation.empty() ? "" : ": ") + e.equation->deviation,
+                               checks_cell(report, e)});
         table.rows.push_back(std::move(row));
     }
     document
