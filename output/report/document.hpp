@@ -112,10 +112,7 @@ struct List {
 /// Words and what they mean.
 struct Definitions {
     std::vector<std::pair<Text, Text>> items;
-};
-/// The few numbers that a reader should see first, each with what it counts.
-struct Figures {
-    std::vector<std::pair<std::string, std::string>> items;
+    bool large = false; ///< numbers that a reader should see first, each with what it counts
 };
 struct Picture {
     std::filesystem::path file; ///< PNG
@@ -123,8 +120,7 @@ struct Picture {
 };
 
 /// A Text is a paragraph.
-using Block =
-    std::variant<Text, Verdict, Heading, Contents, List, Definitions, Figures, Table, Plot, Picture>;
+using Block = std::variant<Text, Verdict, Heading, Contents, List, Definitions, Table, Plot, Picture>;
 
 struct Document {
     std::string title;

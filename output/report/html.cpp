@@ -123,17 +123,11 @@ struct Writer {
     {
         Markup items;
         for (const auto& [word, meaning] : definitions.items) {
-            items << element("dt", {}, markup(word)) << element("dd", {}, markup(meaning));
+            items << (definitions.large
+                          ? element("li", {}, element("b", {}, markup(word)), markup(meaning))
+                          : element("dt", {}, markup(word)) << element("dd", {}, markup(meaning)));
         }
-        return element("dl", {}, items);
-    }
-    Markup operator()(const Figures& figures) const
-    {
-        Markup items;
-        for (const auto& [number, what] : figures.items) {
-            items << element("li", {}, element("b", {}, number), what);
-        }
-        return element("ul", {{"class", "figures"}}, items);
+        return definitions.large ? element("ul", {{"class", "figures"}}, items) : element("dl", {}, items);
     }
     Markup operator()(const Table& table) const
     {

@@ -101,14 +101,6 @@ struct Writer {
         }
         return text;
     }
-    std::string operator()(const Figures& figures) const
-    {
-        std::string text;
-        for (const auto& [number, what] : figures.items) {
-            text += "- **" + number + "** " + what + "\n";
-        }
-        return text;
-    }
     std::string operator()(const Table& table) const
     {
         std::string text;

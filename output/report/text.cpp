@@ -53,14 +53,6 @@ struct Writer {
         }
         return lines + "\n";
     }
-    std::string operator()(const Figures& figures) const
-    {
-        std::string lines;
-        for (const auto& [number, what] : figures.items) {
-            lines += number + " " + what + "\n";
-        }
-        return lines + "\n";
-    }
     std::string operator()(const Table& table) const { return text(table) + "\n"; }
     std::string operator()(const Contents&) const { return {}; }
     std::string operator()(const Plot&) const { return {}; }

@@ -123,14 +123,15 @@ void add_introduction(Document& document, const SuiteReport& report)
                "(Wu et al., Mathematics 2025, 13(15), 2439, doi 10.3390/math13152439): 28 numbered equations and "
                "an equation of state. For each, this report compares what the program computes with answers found "
                "independently of it: formulas derived by hand, and numbers from the GNU Scientific Library.")
-        << report::Figures{{{std::to_string(hold) + " of " + std::to_string(report.equations.size()),
-                             "equations hold"},
-                            {grouped(independent), "numbers compared with an answer found independently"},
-                            {grouped(all.compared - independent),
-                             "numbers compared between versions or runs of the program"},
-                            {std::to_string(all.fails), "checks fail, " + std::to_string(all.holds) +
-                                                            " hold, " + std::to_string(all.not_run) +
-                                                            " were not run"}}}
+        << report::Definitions{{{std::to_string(hold) + " of " + std::to_string(report.equations.size()),
+                                 "equations hold"},
+                                {grouped(independent), "numbers compared with an answer found independently"},
+                                {grouped(all.compared - independent),
+                                 "numbers compared between versions or runs of the program"},
+                                {std::to_string(all.fails), "checks fail, " + std::to_string(all.holds) +
+                                                                " hold, " + std::to_string(all.not_run) +
+                                                                " were not run"}},
+                               true}
         << Text(
                "No computer meets an answer to the last digit, so a difference is allowed for every number. How "
                "large it may be is never chosen by feel: it follows from a stated reason, such as the number of "
