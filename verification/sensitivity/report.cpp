@@ -107,7 +107,7 @@ Table matrix(const SensitivityStudy& study, const std::vector<Pair>& pairs)
                                            Text("✗", Look::strong)}; // by Cell
     const auto sign = [](Cell cell) { return signs.at(static_cast<std::size_t>(cell)); };
     const std::vector<std::size_t> columns = columns_of(study, pairs);
-    Table table{{"planted fault", "reference", "cpu"}};
+    Table table{{"mutant", "reference", "cpu"}};
     for (const std::size_t k : columns) {
         table.columns.emplace_back(study.checks[k]->id, Column::Kind::sign);
     }
@@ -149,9 +149,9 @@ void add_tallies(Document& document, const SensitivityStudy& study)
 /// "1.1e-15 (eq13_radius)"
 std::string smallest_of(const Sight* sight)
 {
-    return sight == nullptr      ? "-"
-           : sight->smallest > 0 ? report::shown(sight->smallest) + " (" +
-                                       std::string(places.at(sight->place).name) + ")"
+    return sight == nullptr ? "-"
+           : sight->smallest > 0
+               ? report::shown(sight->smallest) + " (" + std::string(places.at(sight->place).name) + ")"
            : sight->sees ? "none of its own"
                          : "blind";
 }
