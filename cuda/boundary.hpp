@@ -4,6 +4,7 @@
 
 #include "common/portable_math.hpp"
 #include "common/scenario/scenario.hpp"
+#include "common/wall.hpp"
 #include "cuda/executor/lanes.hpp"
 
 #include <algorithm>
@@ -77,12 +78,6 @@ ANEURYSM_HD Vec3T<Real> wall_velocity()
 {
     return Vec3T<Real>{};
 }
-
-/// Displacement of the elastic wall and its velocity.
-struct ElasticWall {
-    double u = 0; ///< [m]
-    double v = 0; ///< du/dt [m/s]
-};
 
 /// Eq. (28)  m_wall d^2u/dt^2 = F_fluid - k u, one symplectic Euler step:
 ///

@@ -32,11 +32,12 @@ struct Deform {
     double wall_mass;          ///< [kg]
 
     Deform(const Scenario& s, Scene* on_device, const KindCounts* counted, double largest, double dx)
-        : scene(on_device), kinds(counted), tissue(s), has_sac(s.aneurysm.shape != SacShape::none),
-          largest_radius(largest), spacing(dx), dt(s.time.frame_s),
-          particles(static_cast<Index>(s.particles.count)), warm_up_frames(s.growth.warm_up_frames),
-          poisson_ratio(s.rupture.poisson_ratio), porosity(s.rupture.porosity),
-          yield_limit(s.rupture.yield_limit_pa), conversion_area(s.rupture.conversion_area_m2),
+        : scene(on_device), kinds(counted), tissue(wall_tissue(s)),
+          has_sac(s.aneurysm.shape != SacShape::none), largest_radius(largest), spacing(dx),
+          dt(s.time.frame_s), particles(static_cast<Index>(s.particles.count)),
+          warm_up_frames(s.growth.warm_up_frames), poisson_ratio(s.rupture.poisson_ratio),
+          porosity(s.rupture.porosity), yield_limit(s.rupture.yield_limit_pa),
+          conversion_area(s.rupture.conversion_area_m2),
           thinning_intensity(s.growth.thinning_intensity_per_m),
           largest_increment(s.growth.largest_increment_m), wall_stiffness(s.elastic_wall.stiffness_n_m),
           wall_mass(s.elastic_wall.mass_kg)

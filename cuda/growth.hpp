@@ -3,29 +3,10 @@
 #pragma once
 
 #include "common/host_device.hpp"
-#include "common/scenario/scenario.hpp"
+#include "common/wall.hpp"
 
 namespace aneurysm::device
 {
-
-/// The constants of (18), (19) and (21).
-struct WallTissue {
-    double rho_F; ///< density of the tissue fluid [kg/m^3]
-    double a;     ///< area of tissue fluid that acts on the aneurysm [m^2]
-    double c;     ///< wave speed [m/s]
-    double K_E;   ///< elastin [N/m]
-    double A_E;   ///< elastin [m^2]
-    double K_C;   ///< collagen [N/m]
-    double A_C;   ///< collagen [m^2]
-    double m;     ///< mass of the aneurysm's wall [kg]
-
-    explicit WallTissue(const Scenario& s)
-        : rho_F(s.growth.tissue_density_kg_m3), a(s.growth.tissue_area_m2), c(s.growth.wave_speed_m_s),
-          K_E(s.growth.elastin_stiffness_n_m), A_E(s.growth.elastin_area_m2),
-          K_C(s.growth.collagen_stiffness_n_m), A_C(s.growth.collagen_area_m2), m(s.growth.wall_mass_kg)
-    {
-    }
-};
 
 /// Eq. (17)  F_T = F_B - F_F - F_P                                                             [N]
 ANEURYSM_HD inline double net_wall_force(double F_B, double F_F, double F_P)

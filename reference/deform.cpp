@@ -11,24 +11,6 @@
 
 namespace aneurysm::reference
 {
-namespace
-{
-
-WallTissue wall_tissue(const Scenario& s)
-{
-    const auto& g = s.growth;
-    return {.rho_F = g.tissue_density_kg_m3,
-            .a = g.tissue_area_m2,
-            .c = g.wave_speed_m_s,
-            .K_E = g.elastin_stiffness_n_m,
-            .A_E = g.elastin_area_m2,
-            .K_C = g.collagen_stiffness_n_m,
-            .A_C = g.collagen_area_m2,
-            .m = g.wall_mass_kg};
-}
-
-} // namespace
-
 Deform::Deform(const Scenario& scenario, double largest_radius, double spacing)
     : scenario_(scenario), tissue_(wall_tissue(scenario)), largest_radius_(largest_radius), spacing_(spacing)
 {

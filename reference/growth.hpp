@@ -2,22 +2,12 @@
 // Section 3.3: how the aneurysm grows, (17)-(23).
 #pragma once
 
+#include "common/wall.hpp"
+
 #include <algorithm>
 
 namespace aneurysm::reference
 {
-
-/// The constants of (18), (19) and (21); Table 1 gives all but the mass.
-struct WallTissue {
-    double rho_F = 0; ///< density of the tissue fluid [kg/m^3]
-    double a = 0;     ///< area of tissue fluid that acts on the aneurysm [m^2]
-    double c = 0;     ///< wave speed [m/s]
-    double K_E = 0;   ///< elastin [N/m]
-    double A_E = 0;   ///< elastin [m^2]
-    double K_C = 0;   ///< collagen [N/m]
-    double A_C = 0;   ///< collagen [m^2]
-    double m = 0;     ///< mass of the aneurysm's wall [kg]
-};
 
 /// Eq. (17)  What accelerates the wall: blood against tissue fluid and fibers.
 ///

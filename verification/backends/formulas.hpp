@@ -3,6 +3,7 @@
 
 #include "common/scenario/scenario.hpp"
 #include "common/vec3.hpp"
+#include "common/wall.hpp"
 
 #include <cstdint>
 #include <span>
@@ -19,28 +20,10 @@ struct Carrier {
     bool absent = false; ///< in the reserve: takes no part
 };
 
-/// The constants of (18), (19) and (21), as in reference/growth.hpp.
-struct WallTissue {
-    double rho_F = 0; ///< [kg/m^3]
-    double a = 0;     ///< [m^2]
-    double c = 0;     ///< [m/s]
-    double K_E = 0;   ///< [N/m]
-    double A_E = 0;   ///< [m^2]
-    double K_C = 0;   ///< [N/m]
-    double A_C = 0;   ///< [m^2]
-    double m = 0;     ///< [kg]
-};
-
 /// F_b of (16) and who made it; -1: nobody.
 struct Hit {
     double force = 0; ///< [N]
     std::int64_t particle = -1;
-};
-
-/// The wall of (28).
-struct WallMotion {
-    double u = 0; ///< [m]
-    double v = 0; ///< [m/s]
 };
 
 /// What is left of a particle's state after the collision of Fig. 1.
@@ -93,8 +76,8 @@ struct Equations {
     double (*outlet_pressure)(double p_const, double rho_0, double v);
     Vec3 (*outlet_pressure_force)(double m_j, double rho_0, double p_const, const Vec3& grad_W);
     Vec3 (*wall_velocity)();
-    WallMotion (*advance_elastic_wall)(const WallMotion& wall, double F_fluid, double k, double m_wall,
-                                       double dt);
+    ElasticWall (*advance_elastic_wall)(const ElasticWall& wall, double F_fluid, double k, double m_wall,
+                                        double dt);
     Rebound (*collide)(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n);
 };
 

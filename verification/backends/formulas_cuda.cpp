@@ -18,20 +18,6 @@ namespace
 using device::Index;
 using device::Lanes;
 
-device::WallTissue tissue(const WallTissue& w)
-{
-    Scenario s;
-    s.growth.tissue_density_kg_m3 = w.rho_F;
-    s.growth.tissue_area_m2 = w.a;
-    s.growth.wave_speed_m_s = w.c;
-    s.growth.elastin_stiffness_n_m = w.K_E;
-    s.growth.elastin_area_m2 = w.A_E;
-    s.growth.collagen_stiffness_n_m = w.K_C;
-    s.growth.collagen_area_m2 = w.A_C;
-    s.growth.wall_mass_kg = w.m;
-    return device::WallTissue(s);
-}
-
 /// The device's lists don't have absent bodies in them, and are filled up with a massless one far away.
 double interpolate(KernelName name, double h, const Vec3& r, std::span<const Carrier> carriers)
 {
@@ -78,12 +64,6 @@ double inlet_velocity(const Inlet& inlet, double t)
     return device::inlet_velocity(s, t);
 }
 
-WallMotion advance_elastic_wall(const WallMotion& wall, double F_fluid, double k, double m_wall, double dt)
-{
-    const auto next = device::advance_elastic_wall({wall.u, wall.v}, F_fluid, k, m_wall, dt);
-    return {next.u, next.v};
-}
-
 Rebound collide(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n)
 {
     Rebound after{position, velocity};
@@ -124,13 +104,10 @@ const Equations& device_equations()
         .impact_force = impact_force,
         .ruptures = device::ruptures,
         .net_wall_force = device::net_wall_force,
-        .tissue_force = [](const WallTissue& wall,
-                           double u_t) { return device::tissue_force(tissue(wall), u_t); },
-        .fiber_force = [](const WallTissue& wall,
-                          double epsilon) { return device::fiber_force(tissue(wall), epsilon); },
+        .tissue_force = device::tissue_force,
+        .fiber_force = device::fiber_force,
         .strain = device::strain,
-        .radius_increment = [](const WallTissue& wall, double F_B, double R,
-                               double dt) { return device::radius_increment(tissue(wall), F_B, R, dt); },
+        .radius_increment = device::radius_increment,
         .thickness_growing = device::thickness_growing,
         .thickness_developed = device::thickness_developed,
         .daughter_radius = device::daughter_radius,
@@ -141,7 +118,7 @@ const Equations& device_equations()
                 return device::outlet_pressure_force(rho_0, p_const, m_j * grad_W);
             },
         .wall_velocity = device::wall_velocity<double>,
-        .advance_elastic_wall = advance_elastic_wall,
+        .advance_elastic_wall = device::advance_elastic_wall,
         .collide = collide,
     };
     return equations;

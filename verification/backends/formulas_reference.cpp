@@ -12,18 +12,6 @@ namespace aneurysm::backends
 namespace
 {
 
-reference::WallTissue tissue(const WallTissue& w)
-{
-    return {.rho_F = w.rho_F,
-            .a = w.a,
-            .c = w.c,
-            .K_E = w.K_E,
-            .A_E = w.A_E,
-            .K_C = w.K_C,
-            .A_C = w.A_C,
-            .m = w.m};
-}
-
 double interpolate(KernelName name, double h, const Vec3& r, std::span<const Carrier> carriers)
 {
     reference::Bodies bodies;
@@ -50,12 +38,6 @@ double inlet_velocity(const Inlet& inlet, double t)
 {
     return reference::inlet_velocity(inlet.waveform, inlet.peak_velocity_m_s, inlet.cycle_s, t,
                                      inlet.table_time_s, inlet.table_velocity_m_s);
-}
-
-WallMotion advance_elastic_wall(const WallMotion& wall, double F_fluid, double k, double m_wall, double dt)
-{
-    const auto next = reference::advance_elastic_wall({wall.u, wall.v}, F_fluid, k, m_wall, dt);
-    return {next.u, next.v};
 }
 
 Rebound collide(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n)
@@ -88,13 +70,10 @@ const Equations& reference_equations()
         .impact_force = impact_force,
         .ruptures = reference::ruptures,
         .net_wall_force = reference::net_wall_force,
-        .tissue_force = [](const WallTissue& wall,
-                           double u_t) { return reference::tissue_force(tissue(wall), u_t); },
-        .fiber_force = [](const WallTissue& wall,
-                          double epsilon) { return reference::fiber_force(tissue(wall), epsilon); },
+        .tissue_force = reference::tissue_force,
+        .fiber_force = reference::fiber_force,
         .strain = reference::strain,
-        .radius_increment = [](const WallTissue& wall, double F_B, double R,
-                               double dt) { return reference::radius_increment(tissue(wall), F_B, R, dt); },
+        .radius_increment = reference::radius_increment,
         .thickness_growing = reference::thickness_growing,
         .thickness_developed = reference::thickness_developed,
         .daughter_radius = reference::daughter_radius,
@@ -102,7 +81,7 @@ const Equations& reference_equations()
         .outlet_pressure = reference::outlet_pressure,
         .outlet_pressure_force = reference::outlet_pressure_force,
         .wall_velocity = reference::wall_velocity,
-        .advance_elastic_wall = advance_elastic_wall,
+        .advance_elastic_wall = reference::advance_elastic_wall,
         .collide = collide,
     };
     return equations;

@@ -21,10 +21,10 @@ using std::numbers::pi;
 constexpr Oscillator wall{0.7, 1100, 2e-3, -0.05};
 
 /// n steps under F + G sin(O t) from the wall's state at 0.
-backends::WallMotion advance(const backends::Equations& equations, const Oscillator& from, double F, double G,
-                             double O, double dt, int n)
+ElasticWall advance(const backends::Equations& equations, const Oscillator& from, double F, double G,
+                    double O, double dt, int n)
 {
-    backends::WallMotion state{from.u_0, from.v_0};
+    ElasticWall state{from.u_0, from.v_0};
     for (int k = 0; k < n; ++k) {
         state = equations.advance_elastic_wall(state, F + G * std::sin(O * k * dt), from.k, from.m, dt);
     }
@@ -61,11 +61,11 @@ void eq28_step(Probe& probe)
         const double k = a.between(50, 3000);
         const double dt = a.between(0.3, 1.7) / std::sqrt(k / m); // so that all terms are of the same size
         const double u_0 = a.between(-0.03, 0.03);
-        const backends::WallMotion start{u_0, a.between(-1, 1) * 0.03 / dt};
+        const ElasticWall start{u_0, a.between(-1, 1) * 0.03 / dt};
         const double F_0 = a.between(-1, 1) * 0.03 * k;
         const double F_1 = a.between(-1, 1) * 0.03 * k;
-        const backends::WallMotion one = probe.equations().advance_elastic_wall(start, F_0, k, m, dt);
-        const backends::WallMotion two = probe.equations().advance_elastic_wall(one, F_1, k, m, dt);
+        const ElasticWall one = probe.equations().advance_elastic_wall(start, F_0, k, m, dt);
+        const ElasticWall two = probe.equations().advance_elastic_wall(one, F_1, k, m, dt);
         const std::string where = at({{"m", m}, {"k", k}, {"dt", dt}, {"set", double(n)}});
 
         const double forces = std::abs(F_1) + std::abs(k * one.u);
@@ -105,13 +105,13 @@ void eq28_oscillation(Probe& probe)
         const std::string where = at({{"n", double(n)}});
         const double A = largest(F, 0);
         const Estimate exact = analytic::displacement_after_steps(wall, F, 0, 1, dt, n);
-        const backends::WallMotion end = advance(probe.equations(), wall, F, 0, 1, dt, n);
+        const ElasticWall end = advance(probe.equations(), wall, F, 0, 1, dt, n);
         constant.within(end.u / A, exact.value / A, (exact.error + step_rounding(A, dt, n)) / A, where);
 
         const double O = 2 * pi / 0.8;
         const double B = largest(F, G);
         const Estimate swung = analytic::displacement_after_steps(wall, F, G, O, dt, n);
-        const backends::WallMotion driven_end = advance(probe.equations(), wall, F, G, O, dt, n);
+        const ElasticWall driven_end = advance(probe.equations(), wall, F, G, O, dt, n);
         driven.within(driven_end.u / B, swung.value / B, (swung.error + step_rounding(B, dt, n)) / B, where);
 
         const double before = analytic::step_invariant(wall, F, dt, wall.u_0, wall.v_0);
@@ -172,7 +172,7 @@ struct Carried {
 
 /// Displacements after 0 to n steps from u_0, v_0, when the column's last velocity was `before`.
 std::vector<double> carry(const backends::Equations& equations, double M, double F, double dt,
-                          backends::WallMotion state, double before, int n)
+                          ElasticWall state, double before, int n)
 {
     std::vector<double> u{state.u};
     for (int k = 0; k < n; ++k) {

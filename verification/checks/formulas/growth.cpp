@@ -17,7 +17,7 @@ using analytic::Estimate;
 
 /// A wall, what pushes it, and for how long.
 struct Step {
-    backends::WallTissue wall;
+    WallTissue wall;
     double F_B, R, dt;
     std::string where;
 
@@ -33,9 +33,9 @@ struct Step {
 };
 
 /// Table 1, with a mass that matters.
-constexpr backends::WallTissue table_1{1000, 0.01, 1500, 800, 20, 3.52, 10, 5};
+constexpr WallTissue table_1{1000, 0.01, 1500, 800, 20, 3.52, 10, 5};
 /// A wall on which every term of (21) has about the same weight.
-constexpr backends::WallTissue balanced{2, 3, 0.5, 4, 0.25, 0.5, 1.5, 0.006};
+constexpr WallTissue balanced{2, 3, 0.5, 4, 0.25, 0.5, 1.5, 0.006};
 
 /// Table 1's wall, one whose resistances are alike, and walls like that at random.
 std::vector<Step> steps()
@@ -44,9 +44,9 @@ std::vector<Step> steps()
     Arguments a(17);
     for (int n = 0; n < 100; ++n) {
         const auto near = [&](double x) { return x * a.between(0.6, 1.6); };
-        const backends::WallTissue& b = balanced;
-        const backends::WallTissue wall{near(b.rho_F), near(b.a),   near(b.c),   near(b.K_E),
-                                        near(b.A_E),   near(b.K_C), near(b.A_C), near(b.m)};
+        const WallTissue& b = balanced;
+        const WallTissue wall{near(b.rho_F), near(b.a),   near(b.c),   near(b.K_E),
+                              near(b.A_E),   near(b.K_C), near(b.A_C), near(b.m)};
         all.push_back({wall, a.between(0.5, 5), near(0.3), near(0.04), at({{"wall", double(n)}})});
     }
     return all;
@@ -90,7 +90,7 @@ void eq18_radiation(Probe& probe)
     Quantity& oracles = probe.quantity("momentum of the column in the wave's power [1]", Source::rounding,
                                        "gamma_8 of the oracle");
     for (const Step& s : steps()) {
-        const backends::WallTissue& w = s.wall;
+        const WallTissue& w = s.wall;
         const Balance x = s.balance();
         const double u_t = x.speed.value;
         const double F_F = probe.equations().tissue_force(w, u_t);
@@ -118,7 +118,7 @@ void eq19_fibres(Probe& probe)
     Quantity& oracles = probe.quantity("slope of the energy in the work [1]", Source::rounding,
                                        "gamma_16 of the complex step");
     for (const Step& s : steps()) {
-        const backends::WallTissue& w = s.wall;
+        const WallTissue& w = s.wall;
         const Balance x = s.balance();
         const double epsilon = x.strain.value;
         const double F_P = probe.equations().fiber_force(w, epsilon);
