@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing, builds, and runs all tests: release, then the unit tests under the sanitizers, then the
-# style. With --tidy also clang-tidy over all sources (minutes).
+# Installs what is missing, builds, and runs all tests: release, then under the sanitizers the unit tests that work on
+# memory of their own, then the style. With --tidy also clang-tidy over all sources (minutes).
 set -eu
 cd "$(dirname "$0")"
 
@@ -22,10 +22,15 @@ cmake/install_dependencies.sh cmake/dependencies cmake/dependencies-test
 for preset in release sanitize; do
     echo "== $preset"
     cmake --preset $preset --log-level=WARNING >/dev/null
-    cmake --build --preset $preset -- $quiet
     case $preset in
-    release) ctest --preset $preset ;;
-    sanitize) ctest --preset $preset --label-exclude long ;;
+    release)
+        cmake --build --preset $preset -- $quiet
+        ctest --preset $preset
+        ;;
+    sanitize)
+        cmake --build --preset $preset --target aneurysm_unit_tests -- $quiet
+        ctest --preset $preset --label-exclude long
+        ;;
     esac
 done
 
