@@ -37,7 +37,7 @@ endfunction()
 
 set(light_options $<$<CONFIG:Release>:-O1>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  list(APPEND light_options -Wno-array-bounds) # with -O1 it sees one in std::string + "a"
+  list(APPEND light_options -Wno-array-bounds -Wno-stringop-overflow) # with -O1 it sees them in std::string + "a"
 endif()
 function(aneurysm_light target)
   target_compile_options(${target} PRIVATE ${light_options})

@@ -113,7 +113,7 @@ void eq04_kernel_moments(Probe& probe)
 void eq06_gradient(Probe& probe)
 {
     Quantity& powers = probe.quantity("grad W against derived powers [1/m^4]", Source::rounding,
-                                      std::string(of_gradient).append("; gamma_24 20 W(0)/h of the oracle"));
+                                      std::string(of_gradient) + "; gamma_24 20 W(0)/h of the oracle");
     Quantity& differences =
         probe.quantity("grad W against differences of W, 50 digits [1/m^4]", Source::rounding, of_gradient);
     Quantity& oracles = probe.quantity("derived powers against the differences [1/m^4]", Source::rounding,
