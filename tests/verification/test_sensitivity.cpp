@@ -194,8 +194,8 @@ BOOST_AUTO_TEST_CASE(reports_name_what_went_unnoticed)
                                     report::markdown(sensitivity::sensitivity_document(report, false)),
                                     sensitivity::sensitivity_json(report)}) {
         BOOST_TEST(text.find("FAIL") != std::string::npos);
-        BOOST_TEST(text.find("sensitivity::eq13_radius/sign/cpu") != std::string::npos);
-        BOOST_TEST(text.find("sensitivity::eq08_force") != std::string::npos);
+        BOOST_TEST(text.find("eq13_radius/sign/cpu") != std::string::npos);
+        BOOST_TEST(text.find("eq08_force") != std::string::npos);
     }
     BOOST_TEST(report::html(sensitivity::sensitivity_document(report, true)).find("UNNOTICED") !=
                std::string::npos);
