@@ -61,7 +61,7 @@ Picture plot(const fs::path& file, const std::string& caption, std::size_t colum
     fs::path spec = file;
     spec.replace_extension(".plot.json");
     output::write_atomically(spec, Json{{"columns", columns}, {"panels", all}}.dump() + "\n");
-    const fs::path script = data_directory().parent_path() / "verification/reproduce/plot.py";
+    const fs::path script = data_directory().parent_path() / "verification/reproduction/plot.py";
     // Debian's matplotlib is that of Debian's python3, whatever else is first on the path.
     run_program({"/usr/bin/python3", "-B", script.string(), spec.string(), file.string()},
                 "needed: Debian's python3-matplotlib");
