@@ -253,7 +253,7 @@ std::vector<Failure> what_fails(const SuiteResult& suite)
                                            : f.quantity != nullptr && f.quantity->name() == q->name();
             return f.where->check == r.check && same;
         });
-        Failure& f = known == all.end() ? all.emplace_back(&r, q) : *known;
+        Failure& f = known == all.end() ? all.emplace_back(Failure{&r, q}) : *known;
         f.subjects.push_back(r.subject);
         if (q != nullptr && q->worst().ratio > f.quantity->worst().ratio) {
             std::tie(f.where, f.quantity) = std::tuple(&r, q);
