@@ -108,7 +108,9 @@ std::string program_info()
          << "  backends\n";
     for (const suite::SuiteSubject& s : suite::make_subjects()) {
         text << "    " << std::left << std::setw(14) << s.subject.name()
-             << (s.missing.empty() ? s.device : "not here: " + s.missing) << "\n";
+             << (s.missing.empty() ? s.subject.choice.backend == Backend::cuda ? s.device : "here"
+                                   : "not here: " + s.missing)
+             << "\n";
     }
     return text.str();
 }

@@ -114,6 +114,20 @@ backends::BackendChoice backend_of(const RunOptions& options)
     return choice;
 }
 
+/// As a shell takes it for one word.
+std::string quoted(const std::string& word)
+{
+    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
+        return word;
+    }
+    std::string text = "'";
+    for (const char c : word) {
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return text + "'";
+}
+
 int run(const RunOptions& options)
 {
     const Start start = make_start(options);
@@ -136,7 +150,7 @@ int run(const RunOptions& options)
     print_summary(start, rate);
     if (!complete) {
         std::cerr << "interrupted after frame " << simulation->state().frame
-                  << "; go on with: aneurysm run --resume --out " << start.out.string() << "\n";
+                  << "; go on with: aneurysm run --resume --out " << quoted(start.out.string()) << "\n";
     }
     return complete ? exit_done : exit_interrupted;
 }
