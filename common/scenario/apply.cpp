@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "common/backend.hpp"
 #include "common/scenario/json.hpp"
 #include "common/text.hpp"
 
@@ -105,15 +106,12 @@ private:
     requires std::is_enum_v<Enum>
     void read(const Field& field, const Json& value, Enum& member) const
     {
-        std::string names;
-        for (std::size_t i = 0; i < Names<Enum>::values.size(); ++i) {
-            if (value.is_string() && value.get_ref<const std::string&>() == Names<Enum>::values[i]) {
-                member = static_cast<Enum>(i);
-                return;
-            }
-            names += (i > 0 ? ", " : "") + std::string(Names<Enum>::values[i]);
+        const auto word =
+            value.is_string() ? value_of<Enum>(value.get<std::string>(), names<Enum>) : std::nullopt;
+        if (!word) {
+            refuse(field, "not one of the choices", value, joined(names<Enum>));
         }
-        refuse(field, "not one of the choices", value, names);
+        member = *word;
     }
 
     const Json& json_;

@@ -37,7 +37,7 @@ template <class Member>
 Json schema_of(const Field& field, const Member&)
 {
     if constexpr (std::is_enum_v<Member>) {
-        return {{"enum", fields::Names<Member>::values}};
+        return {{"enum", fields::names<Member>}};
     } else if constexpr (std::is_same_v<Member, std::string>) {
         return {{"type", "string"}};
     } else if constexpr (std::is_same_v<Member, Vec3>) {

@@ -30,10 +30,7 @@ public:
 
     void check() const
     {
-        fields::visit(s_, [this](const Field& field, const auto& member) {
-            check_range(field, member);
-            check_reason(field, member);
-        });
+        fields::visit(s_, [this](const Field& field, const auto& member) { check_reason(field, member); });
         check_domain();
         check_sac();
         if (s_.domain.form == DomainForm::artery) {
@@ -51,33 +48,23 @@ private:
     {
         throw InputError(fields::place(origin_, path), what, "allowed: " + allowed);
     }
-    void require(bool good, const std::string& path, double value, const std::string& what,
-                 const std::string& allowed) const
+    /// `value` is a member of the scenario.
+    template <class Number>
+    void require(bool good, const Number& value, const std::string& what, const std::string& allowed) const
     {
         if (!good) {
-            refuse(path, what + " (" + text(value) + ")", allowed);
+            refuse(path_of(value), what + " (" + text(static_cast<double>(value)) + ")", allowed);
         }
     }
-
-    template <class Member>
-    void check_range(const Field& field, const Member& member) const
+    std::string path_of(const auto& value) const
     {
-        const auto check_number = [&](double x) {
-            constexpr bool integer = std::is_integral_v<Member>;
-            require(std::isfinite(x) && field.range.contains(x), std::string(field.path), x, "out of range",
-                    describe(field.range, integer));
-        };
-        if constexpr (std::is_same_v<Member, Vec3>) {
-            check_number(member.x);
-            check_number(member.y);
-            check_number(member.z);
-        } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
-            for (const double x : member) {
-                check_number(x);
+        std::string path;
+        fields::visit(s_, [&](const Field& field, const auto& member) {
+            if (static_cast<const void*>(&member) == &value) {
+                path = field.path;
             }
-        } else if constexpr (std::is_arithmetic_v<Member>) {
-            check_number(static_cast<double>(member));
-        }
+        });
+        return path;
     }
 
     template <class Member>
@@ -110,62 +97,55 @@ private:
         const auto& d = s_.domain;
         const bool artery = d.form == DomainForm::artery;
         const std::string name(fields::name_of(d.form));
-        require((d.spacing_m > 0) != artery, "domain.spacing_m", d.spacing_m, "not the spacing of this form",
+        require((d.spacing_m > 0) != artery, d.spacing_m, "not the spacing of this form",
                 artery ? "0, since domain.form is artery" : "a number > 0 for a " + name);
         if (!artery && s_.aneurysm.shape != SacShape::none) {
             refuse("aneurysm.shape", "an aneurysm needs an artery", "none, since domain.form is " + name);
         }
         const bool round = d.form == DomainForm::tube || d.form == DomainForm::pipe;
         const bool open = d.form == DomainForm::duct || d.form == DomainForm::pipe;
-        check_cells("domain.cells_x", d.cells_x, !round);
-        check_cells("domain.cells_y", d.cells_y, d.form == DomainForm::box || d.form == DomainForm::tube);
-        check_cells("domain.cells_z", d.cells_z, !round);
-        require(!round || d.cells_x == d.cells_z, "domain.cells_z", static_cast<double>(d.cells_z),
-                "not as many as across", "domain.cells_x (" + std::to_string(d.cells_x) + ") for a " + name);
-        require(!open || s_.fluid.gravity_cycle_s == 0, "fluid.gravity_cycle_s", s_.fluid.gravity_cycle_s,
+        check_cells(d.cells_x, !round);
+        check_cells(d.cells_y, d.form == DomainForm::box || d.form == DomainForm::tube);
+        check_cells(d.cells_z, !round);
+        require(!round || d.cells_x == d.cells_z, d.cells_z, "not as many as across",
+                "domain.cells_x (" + std::to_string(d.cells_x) + ") for a " + name);
+        require(!open || s_.fluid.gravity_cycle_s == 0, s_.fluid.gravity_cycle_s,
                 "open ends and a force with a cycle", "0 for a " + name);
     }
     /// A periodic direction must be as wide as three supports, so that no particle sees another one twice.
-    void check_cells(const std::string& path, std::int64_t cells, bool periodic) const
+    void check_cells(const std::int64_t& cells, bool periodic) const
     {
         if (s_.domain.form == DomainForm::artery) {
-            require(cells == 0, path, static_cast<double>(cells), "cells of no lattice",
-                    "0, since domain.form is artery");
+            require(cells == 0, cells, "cells of no lattice", "0, since domain.form is artery");
             return;
         }
         const double support = 2 * s_.kernel.smoothing_length_spacings;
         const auto least = periodic ? static_cast<std::int64_t>(std::ceil(3 * support)) : 1;
-        require(cells >= least, path, static_cast<double>(cells), "too few",
+        require(cells >= least, cells, "too few",
                 "at least " + std::to_string(least) + (periodic ? ", three supports" : ""));
     }
 
     void check_sac() const
     {
         const auto& a = s_.aneurysm;
-        const std::string path = "aneurysm.";
         if (a.shape == SacShape::none) {
             const std::string allowed = "0, since aneurysm.shape is none";
-            require(a.neck_width_radii == 0, path + "neck_width_radii", a.neck_width_radii,
-                    "width of no neck", allowed);
-            require(a.base_width_radii == 0, path + "base_width_radii", a.base_width_radii,
-                    "width of no aneurysm", allowed);
-            require(a.initial_radius_radii == 0, path + "initial_radius_radii", a.initial_radius_radii,
-                    "radius of no aneurysm", allowed);
+            require(a.neck_width_radii == 0, a.neck_width_radii, "width of no neck", allowed);
+            require(a.base_width_radii == 0, a.base_width_radii, "width of no aneurysm", allowed);
+            require(a.initial_radius_radii == 0, a.initial_radius_radii, "radius of no aneurysm", allowed);
             return;
         }
-        require(a.neck_width_radii > 0, path + "neck_width_radii", a.neck_width_radii,
-                "an aneurysm without a neck", "a number > 0 unless aneurysm.shape is none");
-        require(a.initial_radius_radii > 0, path + "initial_radius_radii", a.initial_radius_radii,
-                "an aneurysm without a size", "a number > 0 unless aneurysm.shape is none");
-        require(a.neck_width_radii <= a.base_width_radii, path + "neck_width_radii", a.neck_width_radii,
-                "neck wider than the aneurysm",
+        require(a.neck_width_radii > 0, a.neck_width_radii, "an aneurysm without a neck",
+                "a number > 0 unless aneurysm.shape is none");
+        require(a.initial_radius_radii > 0, a.initial_radius_radii, "an aneurysm without a size",
+                "a number > 0 unless aneurysm.shape is none");
+        require(a.neck_width_radii <= a.base_width_radii, a.neck_width_radii, "neck wider than the aneurysm",
                 "at most aneurysm.base_width_radii (" + text(a.base_width_radii) + ")");
         require(a.shape != SacShape::hemispherical || a.neck_width_radii == a.base_width_radii,
-                path + "neck_width_radii", a.neck_width_radii,
-                "a hemisphere is as wide at its neck as at its base",
+                a.neck_width_radii, "a hemisphere is as wide at its neck as at its base",
                 "aneurysm.base_width_radii (" + text(a.base_width_radii) + ") for a hemispherical aneurysm");
-        require(a.initial_radius_radii <= a.base_width_radii / 2, path + "initial_radius_radii",
-                a.initial_radius_radii, "larger than the fully developed aneurysm",
+        require(a.initial_radius_radii <= a.base_width_radii / 2, a.initial_radius_radii,
+                "larger than the fully developed aneurysm",
                 "at most half of aneurysm.base_width_radii (" + text(a.base_width_radii / 2) + ")");
     }
 
@@ -176,8 +156,7 @@ private:
         const double B = v.angle_deg * std::numbers::pi / 180;
         const double r_1 = 1 / std::cbrt(2.0);
         const double apart = 2 * v.daughter_length_radii * std::sin(B);
-        require(apart >= 1.25 * 2 * r_1, "vessel.angle_deg", v.angle_deg,
-                "the daughters overlap at their open ends",
+        require(apart >= 1.25 * 2 * r_1, v.angle_deg, "the daughters overlap at their open ends",
                 "an angle that leads their axes at least " + text(2.5 * r_1) + " radii apart there (now " +
                     text(apart) + "), or longer daughters");
         if (s_.aneurysm.shape == SacShape::none) {
@@ -187,10 +166,10 @@ private:
         const double n = s_.aneurysm.neck_width_radii / 2;
         const double center = s_.aneurysm.shape == SacShape::piriform ? 1.5 * R : std::sqrt(R * R - n * n);
         const double gap = center * std::sin(B) + 2 * r_1;
-        require(R <= gap, "aneurysm.base_width_radii", 2 * R, "larger than the gap between the daughters",
+        require(R <= gap, s_.aneurysm.base_width_radii, "larger than the gap between the daughters",
                 "at most " + text(2 * gap) + " at this angle");
         const double along_daughter = (r_1 / std::sin(B) + center) * std::cos(B) + R;
-        require(along_daughter < v.daughter_length_radii, "aneurysm.base_width_radii", 2 * R,
+        require(along_daughter < v.daughter_length_radii, s_.aneurysm.base_width_radii,
                 "the aneurysm reaches the planes of the outlets",
                 "a smaller aneurysm, or vessel.daughter_length_radii > " + text(along_daughter));
     }
@@ -199,7 +178,7 @@ private:
     {
         const double r_1 = s_.vessel.radius_m / std::cbrt(2.0);
         const double support = 2 * s_.kernel.smoothing_length_spacings * estimated_spacing(s_);
-        require(support <= 2 * r_1, "particles.count", static_cast<double>(s_.particles.count),
+        require(support <= 2 * r_1, s_.particles.count,
                 "too few: the kernel's support radius, about " + text(support) +
                     " m, is larger than a daughter's diameter",
                 "more particles, or shorter tubes");
@@ -221,14 +200,19 @@ private:
             }
             return;
         }
-        require(in.table_time_s.front() == 0, times, in.table_time_s.front(), "doesn't start at 0",
-                "0 as the first time");
-        for (std::size_t i = 1; i < in.table_time_s.size(); ++i) {
-            require(in.table_time_s[i] > in.table_time_s[i - 1], times, in.table_time_s[i], "doesn't rise",
-                    "each time later than the one before");
+        const auto require_time = [&](bool good, double t, const std::string& what,
+                                      const std::string& allowed) {
+            if (!good) {
+                refuse(times, what + " (" + text(t) + ")", allowed);
+            }
+        };
+        const std::vector<double>& t = in.table_time_s;
+        require_time(t.front() == 0, t.front(), "doesn't start at 0", "0 as the first time");
+        for (std::size_t i = 1; i < t.size(); ++i) {
+            require_time(t[i] > t[i - 1], t[i], "doesn't rise", "each time later than the one before");
         }
-        require(in.table_time_s.back() < in.cycle_s, times, in.table_time_s.back(), "not within the cycle",
-                "times below inlet.cycle_s (" + text(in.cycle_s) + ")");
+        require_time(t.back() < in.cycle_s, t.back(), "not within the cycle",
+                     "times below inlet.cycle_s (" + text(in.cycle_s) + ")");
     }
 
     void check_steps() const
@@ -237,8 +221,7 @@ private:
         // The estimate is within 10 %; the solver checks again with the spacing that sampling finds.
         const StepLimits limits = step_limits(s_, 1.1 * estimated_spacing(s_));
         const auto check_step = [&](double limit, const std::string& why) {
-            require(step <= limit, "time.frame_s", s_.time.frame_s,
-                    "time step above the stability limit: " + why,
+            require(step <= limit, s_.time.frame_s, "time step above the stability limit: " + why,
                     "time.frame_s / time.substeps of at most " + text(limit) + " s");
         };
         check_step(limits.convective, "the fastest particles would move half a particle spacing in one step");
@@ -246,7 +229,7 @@ private:
         check_step(limits.acoustic, "sound would cross the kernel in one step");
         const double oscillation =
             s_.time.frame_s * std::sqrt(s_.elastic_wall.stiffness_n_m / s_.elastic_wall.mass_kg);
-        require(oscillation < 2, "elastic_wall.stiffness_n_m", s_.elastic_wall.stiffness_n_m,
+        require(oscillation < 2, s_.elastic_wall.stiffness_n_m,
                 "time.frame_s is above the stability limit of (28)",
                 "stiffness < 4 mass_kg / frame_s^2 (" +
                     text(4 * s_.elastic_wall.mass_kg / (s_.time.frame_s * s_.time.frame_s)) + ")");
@@ -255,16 +238,16 @@ private:
     void check_rest() const
     {
         const auto& p = s_.pressure;
-        require(p.tolerance_per_s <= p.max_tolerance_per_s, "pressure.max_tolerance_per_s",
-                p.max_tolerance_per_s, "a single particle's residual cannot be held below the mean",
+        require(p.tolerance_per_s <= p.max_tolerance_per_s, p.max_tolerance_per_s,
+                "a single particle's residual cannot be held below the mean",
                 "at least pressure.tolerance_per_s (" + text(p.tolerance_per_s) + ")");
         const auto& g = s_.growth;
-        require(g.thinning_intensity_per_m * g.largest_increment_m < 1, "growth.largest_increment_m",
-                g.largest_increment_m, "(23) would make the wall's thickness negative",
+        require(g.thinning_intensity_per_m * g.largest_increment_m < 1, g.largest_increment_m,
+                "(23) would make the wall's thickness negative",
                 "less than 1 / growth.thinning_intensity_per_m");
         const auto& r = s_.rupture;
-        require(r.recycle_distance_radii > r.breach_radius_radii, "rupture.recycle_distance_radii",
-                r.recycle_distance_radii, "blood would vanish in the breach itself",
+        require(r.recycle_distance_radii > r.breach_radius_radii, r.recycle_distance_radii,
+                "blood would vanish in the breach itself",
                 "more than rupture.breach_radius_radii (" + text(r.breach_radius_radii) + ")");
     }
 

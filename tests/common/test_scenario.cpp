@@ -207,25 +207,6 @@ BOOST_AUTO_TEST_CASE(a_value_out_of_range_is_refused)
     });
 }
 
-BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused)
-{
-    const Scenario good = base();
-    fields::visit(good, [&](const fields::Field& field, const auto& member) {
-        if constexpr (std::is_same_v<decltype(member), const double&>) {
-            for (const double bad :
-                 {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-                Scenario s = good;
-                fields::visit(s, [&](const fields::Field& other, auto& value) {
-                    if constexpr (std::is_same_v<decltype(value), double&>) {
-                        value = other.path == field.path ? bad : value;
-                    }
-                });
-                BOOST_CHECK_THROW(validate(s, "here"), InputError);
-            }
-        }
-    });
-}
-
 BOOST_AUTO_TEST_CASE(a_value_of_our_own_needs_a_reason)
 {
     const Scenario good = base();
