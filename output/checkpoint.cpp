@@ -23,98 +23,67 @@ namespace
 constexpr std::string_view format = "aneurysm checkpoint";
 constexpr int version = 1;
 constexpr std::size_t block_size = 512;
-constexpr std::uint8_t last_kind = static_cast<std::uint8_t>(Kind::outlet_2);
 
 static_assert(sizeof(Particles) == 4 * sizeof(std::vector<double>) + 8);
 static_assert(sizeof(SimulationState) ==
               16 + sizeof(Particles) + sizeof(AneurysmState) + sizeof(Ledger) + 2 * sizeof(double));
 
-std::span<const double> numbers(const std::vector<Vec3>& vectors)
-{
-    static_assert(sizeof(Vec3) == 3 * sizeof(double));
-    return {reinterpret_cast<const double*>(vectors.data()), 3 * vectors.size()}; // NOLINT
-}
-
-std::vector<Vec3> vectors(const std::vector<double>& numbers)
-{
-    std::vector<Vec3> v(numbers.size() / 3);
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        v[i] = {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
-    }
-    return v;
-}
-
 void write_particles(const hdf5::Group& group, const Particles& particles)
 {
     group.write_attribute("mass_kg", particles.mass);
-    group.write("position_m", numbers(particles.position), 3);
-    group.write("velocity_m_s", numbers(particles.velocity), 3);
-    group.write("pressure_pa", std::span(particles.pressure));
-    std::vector<std::uint8_t> kinds;
-    for (const Kind kind : particles.kind) {
-        kinds.push_back(static_cast<std::uint8_t>(kind));
-    }
-    group.write("kind", std::span<const std::uint8_t>(kinds));
+    group.write("position_m", particles.position);
+    group.write("velocity_m_s", particles.velocity);
+    group.write("pressure_pa", particles.pressure);
+    group.write("kind", particles.kind);
 }
 
 Particles read_particles(const hdf5::Group& group)
 {
-    Particles p;
-    p.mass = group.read_attribute<double>("mass_kg");
-    p.position = vectors(group.read<double>("position_m", 3));
-    p.velocity = vectors(group.read<double>("velocity_m_s", 3));
-    p.pressure = group.read<double>("pressure_pa");
-    for (const std::uint8_t kind : group.read<std::uint8_t>("kind")) {
-        if (kind > last_kind) {
-            group.task().fail("kind", "unknown value " + std::to_string(kind));
-        }
-        p.kind.push_back(static_cast<Kind>(kind));
-    }
+    Particles p{.mass = group.read_attribute<double>("mass_kg"),
+                .position = group.read_vectors("position_m"),
+                .velocity = group.read_vectors("velocity_m_s"),
+                .pressure = group.read<double>("pressure_pa"),
+                .kind = group.read_kinds("kind")};
     if (p.velocity.size() != p.size() || p.pressure.size() != p.size() || p.kind.size() != p.size()) {
         group.task().fail("the particles", "arrays of different lengths");
     }
     return p;
 }
 
-/// Writes or reads one named number.
-template <class Value>
-void write_number(const hdf5::Group& group, std::string_view name, const Value& value)
+/// The numbers of a state that stand in groups as attributes, each by its group and its name.
+template <class State, class Visitor>
+void visit_numbers(State& state, const Visitor& v)
 {
-    if constexpr (std::is_enum_v<Value>) {
-        group.write_attribute(std::string(name), static_cast<std::int64_t>(value));
+    v("/", "frame", state.frame);
+    v("/", "spacing_m", state.spacing);
+    v("/", "outlet_velocity_1_m_s", state.outlet_velocity[0]);
+    v("/", "outlet_velocity_2_m_s", state.outlet_velocity[1]);
+    visit_aneurysm(state.aneurysm, [&](std::string_view name, auto& number) { v("aneurysm", name, number); });
+    visit_ledger(state.ledger, [&](std::string_view name, auto& number) { v("ledger", name, number); });
+}
+
+template <class Number>
+void write_number(const hdf5::Group& group, const std::string& name, Number number)
+{
+    if constexpr (std::is_enum_v<Number>) {
+        group.write_attribute(name, static_cast<std::int64_t>(number));
     } else {
-        group.write_attribute(std::string(name), value);
+        group.write_attribute(name, number);
     }
 }
 
-template <class Value>
-void read_number(const hdf5::Group& group, std::string_view name, Value& value)
+template <class Number>
+void read_number(const hdf5::Group& group, const std::string& name, Number& number)
 {
-    if constexpr (std::is_enum_v<Value>) {
-        const auto number = group.read_attribute<std::int64_t>(std::string(name));
-        if (number < 0 || number >= static_cast<std::int64_t>(phase_names.size())) {
-            group.task().fail(std::string(name), "unknown value " + std::to_string(number));
+    if constexpr (std::is_enum_v<Number>) {
+        const auto value = group.read_attribute<std::int64_t>(name);
+        if (value < 0 || value >= static_cast<std::int64_t>(phase_names.size())) {
+            group.task().fail(name, "unknown value " + std::to_string(value));
         }
-        value = static_cast<Value>(number);
+        number = static_cast<Number>(value);
     } else {
-        value = group.read_attribute<Value>(std::string(name));
+        number = group.read_attribute<Number>(name);
     }
-}
-
-SimulationState read_state(const hdf5::Group& root)
-{
-    SimulationState state;
-    state.frame = root.read_attribute<std::int64_t>("frame");
-    state.spacing = root.read_attribute<double>("spacing_m");
-    state.outlet_velocity[0] = root.read_attribute<double>("outlet_velocity_1_m_s");
-    state.outlet_velocity[1] = root.read_attribute<double>("outlet_velocity_2_m_s");
-    state.particles = read_particles(root.open_group("particles"));
-    const hdf5::Group aneurysm = root.open_group("aneurysm");
-    visit_aneurysm(state.aneurysm,
-                   [&](std::string_view name, auto& value) { read_number(aneurysm, name, value); });
-    const hdf5::Group ledger = root.open_group("ledger");
-    visit_ledger(state.ledger, [&](std::string_view name, auto& value) { read_number(ledger, name, value); });
-    return state;
 }
 
 std::string hash_after_block(const std::vector<std::byte>& bytes)
@@ -154,17 +123,12 @@ void write_checkpoint(const std::filesystem::path& file, const Scenario& scenari
     {
         const hdf5::Group root = image.root();
         root.write("scenario", to_json(scenario));
-        root.write_attribute("frame", state.frame);
-        root.write_attribute("spacing_m", state.spacing);
-        root.write_attribute("outlet_velocity_1_m_s", state.outlet_velocity[0]);
-        root.write_attribute("outlet_velocity_2_m_s", state.outlet_velocity[1]);
         write_particles(root.create_group("particles"), state.particles);
-        const hdf5::Group aneurysm = root.create_group("aneurysm");
-        visit_aneurysm(state.aneurysm,
-                       [&](std::string_view name, const auto& v) { write_number(aneurysm, name, v); });
-        const hdf5::Group ledger = root.create_group("ledger");
-        visit_ledger(state.ledger,
-                     [&](std::string_view name, const auto& v) { write_number(ledger, name, v); });
+        root.create_group("aneurysm");
+        root.create_group("ledger");
+        visit_numbers(state, [&](const char* group, std::string_view name, const auto& number) {
+            write_number(root.open_group(group), std::string(name), number);
+        });
     }
     std::vector<std::byte> bytes = image.image();
     const std::string line =
@@ -180,7 +144,12 @@ Checkpoint read_checkpoint(const std::filesystem::path& file)
     check_block(bytes, where);
     const hdf5::File image(bytes, where);
     const hdf5::Group root = image.root();
-    return {parse_scenario(root.read_text("scenario"), where + ": scenario"), read_state(root)};
+    Checkpoint checkpoint{parse_scenario(root.read_text("scenario"), where + ": scenario"), {}};
+    checkpoint.state.particles = read_particles(root.open_group("particles"));
+    visit_numbers(checkpoint.state, [&](const char* group, std::string_view name, auto& number) {
+        read_number(root.open_group(group), std::string(name), number);
+    });
+    return checkpoint;
 }
 
 } // namespace aneurysm::output

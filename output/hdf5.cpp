@@ -5,48 +5,48 @@
 
 #include <algorithm>
 #include <atomic>
-#include <utility>
+#include <type_traits>
 
 namespace aneurysm::output::hdf5
 {
 namespace
 {
 
-/// The innermost message on HDF5's error stack.
-std::string library_reason()
+/// The innermost message of HDF5's last failure.
+thread_local std::string library_reason; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+/// HDF5 calls this when a function of it fails; its own choice would print to the terminal.
+herr_t note_reason(hid_t stack, void*)
 {
-    std::string text;
-    const auto take_first = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
-        auto& first = *static_cast<std::string*>(to);
-        if (first.empty() && error->desc != nullptr) {
-            first = error->desc;
+    library_reason.clear();
+    const auto take_first = [](unsigned, const H5E_error2_t* error, void*) -> herr_t {
+        if (library_reason.empty() && error->desc != nullptr) {
+            library_reason = error->desc;
         }
         return 0;
     };
-    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &text);
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    return text.empty() ? "HDF5 gives no reason" : text;
+    H5Ewalk2(stack, H5E_WALK_UPWARD, take_first, nullptr);
+    std::replace(library_reason.begin(), library_reason.end(), '\n', ' ');
+    return 0;
 }
 
-/// HDF5 prints its errors to the terminal unless told not to.
-void silence()
+/// Does f; `name` is what it reads or writes, for the message when HDF5 fails.
+template <class F>
+auto attempt(const Task& task, const std::string& name, const F& f)
 {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    H5Eset_auto2(H5E_DEFAULT, note_reason, nullptr);
+    try {
+        return f();
+    } catch (const H5::Exception&) {
+        task.fail(name, library_reason.empty() ? "HDF5 gives no reason" : library_reason);
+    }
 }
 
-Handle property_list(hid_t kind, const Task& task)
-{
-    silence();
-    return {H5Pcreate(kind), H5Pclose, task, "a property list"};
-}
-
-Handle in_memory(const Task& task)
+H5::FileAccPropList in_memory()
 {
     constexpr std::size_t increment = std::size_t{1} << 20U;
-    Handle access = property_list(H5P_FILE_ACCESS, task);
-    if (H5Pset_fapl_core(access.id(), increment, static_cast<hbool_t>(false)) < 0) {
-        task.fail("a file in memory");
-    }
+    H5::FileAccPropList access;
+    access.setCore(increment, false);
     return access;
 }
 
@@ -57,50 +57,54 @@ std::string new_name()
     return "in memory " + std::to_string(++count);
 }
 
-Handle create_image(std::size_t user_block, const Task& task)
+H5::H5File create_image(std::size_t user_block, const Task& task)
 {
-    const Handle access = in_memory(task);
-    const Handle creation = property_list(H5P_FILE_CREATE, task);
-    if (H5Pset_userblock(creation.id(), user_block) < 0) {
-        task.fail("a user block");
-    }
-    return {H5Fcreate(new_name().c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, task,
-            "the file"};
+    return attempt(task, "the file", [&] {
+        H5::FileCreatPropList creation;
+        creation.setUserblock(user_block);
+        return H5::H5File(new_name(), H5F_ACC_TRUNC, creation, in_memory());
+    });
 }
 
-Handle open_image(std::span<const std::byte> image, const Task& task)
+H5::H5File open_image(std::span<const std::byte> image, const Task& task)
 {
-    const Handle access = in_memory(task);
-    // HDF5 copies the bytes, although it asks for them without const.
-    void* bytes = const_cast<std::byte*>(image.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast)
     if (image.empty()) {
         task.fail("the file", "it is empty");
     }
-    if (H5Pset_file_image(access.id(), bytes, image.size()) < 0) {
-        task.fail("a file in memory");
-    }
-    return {H5Fopen(new_name().c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, task, "the file"};
+    return attempt(task, "the file", [&] {
+        const H5::FileAccPropList access = in_memory();
+        // HDF5 copies the bytes, although it asks for them without const.
+        void* bytes = const_cast<std::byte*>(image.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+        H5Pset_file_image(access.getId(), bytes, image.size());
+        return H5::H5File(new_name(), H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, access);
+    });
 }
 
-Handle text_type(std::size_t size, const Task& task)
+H5::StrType text_type(const std::string& text)
 {
-    Handle type{H5Tcopy(H5T_C_S1), H5Tclose, task, "a string type"};
-    if (H5Tset_size(type.id(), std::max<std::size_t>(size, 1)) < 0) {
-        task.fail("a string type");
-    }
-    return type;
+    return {H5::PredType::C_S1, std::max<std::size_t>(text.size(), 1)};
 }
 
-/// Reads a string of fixed length through `read(type, buffer)`.
-template <class Read>
-std::string read_fixed_text(hid_t type, const Task& task, const std::string& name, Read read)
+/// Without times: the same state makes the same bytes.
+H5::DSetCreatPropList untimed()
 {
-    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) {
+    H5::DSetCreatPropList properties;
+    H5Pset_obj_track_times(properties.getId(), false);
+    return properties;
+}
+
+/// The string of fixed length that an array or an attribute holds.
+template <class Place>
+std::string fixed_text(const Place& place, const Task& task, const std::string& name)
+{
+    if (place.getTypeClass() != H5T_STRING || place.getStrType().isVariableStr()) {
         task.fail(name, "not a string of fixed length");
     }
-    std::string text(H5Tget_size(type), '\0');
-    if (read(type, text.data()) < 0) {
-        task.fail(name);
+    std::string text;
+    if constexpr (std::is_same_v<Place, H5::Attribute>) {
+        place.read(place.getStrType(), text);
+    } else {
+        place.read(text, place.getStrType());
     }
     return text.substr(0, text.find('\0'));
 }
@@ -116,197 +120,174 @@ void Task::fail(const std::string& name, const std::string& reason) const
     throw Error(where, "cannot write " + name + " (" + reason + ")", "needed: enough memory");
 }
 
-void Task::fail(const std::string& name) const
-{
-    fail(name, library_reason());
-}
-
-Handle::Handle(hid_t id, Close close, const Task& task, const std::string& name) : id_(id), close_(close)
-{
-    if (id < 0) {
-        task.fail(name);
-    }
-}
-
-Handle::~Handle()
-{
-    if (id_ >= 0) {
-        close_(id_);
-    }
-}
-
-Handle::Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-
 Type type_of(double)
 {
-    return {H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE};
+    return {H5::PredType::NATIVE_DOUBLE, H5::PredType::IEEE_F64LE};
 }
 Type type_of(std::int64_t)
 {
-    return {H5T_NATIVE_INT64, H5T_STD_I64LE};
+    return {H5::PredType::NATIVE_INT64, H5::PredType::STD_I64LE};
 }
 Type type_of(std::uint8_t)
 {
-    return {H5T_NATIVE_UINT8, H5T_STD_U8LE};
+    return {H5::PredType::NATIVE_UINT8, H5::PredType::STD_U8LE};
 }
 
 Group Group::create_group(const std::string& name) const
 {
-    return {Handle(H5Gcreate2(handle_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
-                   task_, name),
-            task_};
+    return {attempt(task_, name, [&] { return group_.createGroup(name); }), task_};
 }
 
 Group Group::open_group(const std::string& name) const
 {
-    return {Handle(H5Gopen2(handle_.id(), name.c_str(), H5P_DEFAULT), H5Gclose, task_, name), task_};
+    return {attempt(task_, name, [&] { return group_.openGroup(name); }), task_};
 }
 
 void Group::write_array(const std::string& name, const void* data, std::size_t count, std::size_t columns,
                         Type type) const
 {
-    const std::array<hsize_t, 2> extent{count / columns, columns};
-    const Handle space{H5Screate_simple(columns == 1 ? 1 : 2, extent.data(), nullptr), H5Sclose, task_, name};
-    const Handle properties = property_list(H5P_DATASET_CREATE, task_);
-    H5Pset_obj_track_times(properties.id(), false); // the same state makes the same bytes
-    const Handle set{H5Dcreate2(handle_.id(), name.c_str(), type.file, space.id(), H5P_DEFAULT,
-                                properties.id(), H5P_DEFAULT),
-                     H5Dclose, task_, name};
-    if (count > 0 && H5Dwrite(set.id(), type.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
-        task_.fail(name);
-    }
+    attempt(task_, name, [&] {
+        const std::array<hsize_t, 2> extent{count / columns, columns};
+        const H5::DataSpace space(columns == 1 ? 1 : 2, extent.data());
+        const H5::DataSet set = group_.createDataSet(name, type.file, space, untimed());
+        if (count > 0) {
+            set.write(data, type.memory);
+        }
+    });
+}
+
+void Group::write(const std::string& name, const std::vector<Vec3>& vectors) const
+{
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    write_array(name, vectors.data(), 3 * vectors.size(), 3, type_of(double{}));
+}
+
+void Group::write(const std::string& name, const std::vector<Kind>& kinds) const
+{
+    static_assert(sizeof(Kind) == sizeof(std::uint8_t));
+    write_array(name, kinds.data(), kinds.size(), 1, type_of(std::uint8_t{}));
 }
 
 void Group::write(const std::string& name, const std::string& text) const
 {
-    const Handle type = text_type(text.size(), task_);
-    const Handle space{H5Screate(H5S_SCALAR), H5Sclose, task_, name};
-    const Handle properties = property_list(H5P_DATASET_CREATE, task_);
-    H5Pset_obj_track_times(properties.id(), false);
-    const Handle set{H5Dcreate2(handle_.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT,
-                                properties.id(), H5P_DEFAULT),
-                     H5Dclose, task_, name};
-    if (H5Dwrite(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()) < 0) {
-        task_.fail(name);
-    }
+    attempt(task_, name, [&] {
+        group_.createDataSet(name, text_type(text), H5::DataSpace(), untimed()).write(text, text_type(text));
+    });
 }
 
 std::size_t Group::array_size(const std::string& name, std::size_t columns) const
 {
-    const Handle set{H5Dopen2(handle_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, task_, name};
-    const Handle space{H5Dget_space(set.id()), H5Sclose, task_, name};
-    std::array<hsize_t, 2> extent{0, 1};
-    const int rank = H5Sget_simple_extent_ndims(space.id());
-    if (rank != (columns == 1 ? 1 : 2) || H5Sget_simple_extent_dims(space.id(), extent.data(), nullptr) < 0 ||
-        extent[1] != columns) {
-        task_.fail(name, "not an array of " + std::to_string(columns) + " columns");
-    }
-    // What the file says must be there before memory is taken for it.
-    if (H5Dget_storage_size(set.id()) < extent[0] * columns) {
-        task_.fail(name, "less data than its extent");
-    }
-    return extent[0] * columns;
+    return attempt(task_, name, [&] {
+        const H5::DataSet set = group_.openDataSet(name);
+        const H5::DataSpace space = set.getSpace();
+        std::array<hsize_t, 2> extent{0, 1};
+        if (space.getSimpleExtentNdims() != (columns == 1 ? 1 : 2) ||
+            space.getSimpleExtentDims(extent.data()) < 0 || extent[1] != columns) {
+            task_.fail(name, "not an array of " + std::to_string(columns) + " columns");
+        }
+        // What the file says must be there before memory is taken for it.
+        if (set.getStorageSize() < extent[0] * columns) {
+            task_.fail(name, "less data than its extent");
+        }
+        return extent[0] * columns;
+    });
 }
 
 void Group::read_array(const std::string& name, void* data, Type type) const
 {
-    const Handle set{H5Dopen2(handle_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, task_, name};
-    const Handle stored{H5Dget_type(set.id()), H5Tclose, task_, name};
-    if (H5Tequal(stored.id(), type.file) <= 0) {
-        task_.fail(name, "another number type");
+    attempt(task_, name, [&] {
+        const H5::DataSet set = group_.openDataSet(name);
+        if (!(set.getDataType() == type.file)) {
+            task_.fail(name, "another number type");
+        }
+        set.read(data, type.memory);
+    });
+}
+
+std::vector<Vec3> Group::read_vectors(const std::string& name) const
+{
+    std::vector<Vec3> vectors(array_size(name, 3) / 3);
+    read_array(name, vectors.data(), type_of(double{}));
+    return vectors;
+}
+
+std::vector<Kind> Group::read_kinds(const std::string& name) const
+{
+    std::vector<Kind> kinds;
+    for (const std::uint8_t number : read<std::uint8_t>(name)) {
+        if (number > static_cast<std::uint8_t>(Kind::outlet_2)) {
+            task_.fail(name, "unknown value " + std::to_string(number));
+        }
+        kinds.push_back(static_cast<Kind>(number));
     }
-    if (H5Dread(set.id(), type.memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
-        task_.fail(name);
-    }
+    return kinds;
 }
 
 std::string Group::read_text(const std::string& name) const
 {
-    const Handle set{H5Dopen2(handle_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, task_, name};
-    const Handle type{H5Dget_type(set.id()), H5Tclose, task_, name};
-    return read_fixed_text(type.id(), task_, name, [&set](hid_t as, void* buffer) {
-        return H5Dread(set.id(), as, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
-    });
+    return attempt(task_, name, [&] { return fixed_text(group_.openDataSet(name), task_, name); });
 }
 
 void Group::write_attribute(const std::string& name, const void* data, std::size_t count, Type type) const
 {
-    const hsize_t extent = count;
-    const Handle space{count == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &extent, nullptr), H5Sclose,
-                       task_, name};
-    const Handle attribute{
-        H5Acreate2(handle_.id(), name.c_str(), type.file, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-        task_, name};
-    if (H5Awrite(attribute.id(), type.memory, data) < 0) {
-        task_.fail(name);
-    }
+    attempt(task_, name, [&] {
+        const hsize_t extent = count;
+        const H5::DataSpace space = count == 1 ? H5::DataSpace() : H5::DataSpace(1, &extent);
+        group_.createAttribute(name, type.file, space).write(type.memory, data);
+    });
 }
 
 void Group::write_attribute(const std::string& name, const std::string& text) const
 {
-    const Handle type = text_type(text.size(), task_);
-    const Handle space{H5Screate(H5S_SCALAR), H5Sclose, task_, name};
-    const Handle attribute{
-        H5Acreate2(handle_.id(), name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-        task_, name};
-    if (H5Awrite(attribute.id(), type.id(), text.c_str()) < 0) {
-        task_.fail(name);
-    }
+    attempt(task_, name, [&] {
+        group_.createAttribute(name, text_type(text), H5::DataSpace()).write(text_type(text), text);
+    });
 }
 
 void Group::read_attribute(const std::string& name, void* data, Type type) const
 {
-    const Handle attribute{H5Aopen(handle_.id(), name.c_str(), H5P_DEFAULT), H5Aclose, task_, name};
-    const Handle space{H5Aget_space(attribute.id()), H5Sclose, task_, name};
-    const Handle stored{H5Aget_type(attribute.id()), H5Tclose, task_, name};
-    if (H5Sget_simple_extent_npoints(space.id()) != 1 || H5Tequal(stored.id(), type.file) <= 0) {
-        task_.fail(name, "not one number of its type");
-    }
-    if (H5Aread(attribute.id(), type.memory, data) < 0) {
-        task_.fail(name);
-    }
+    attempt(task_, name, [&] {
+        const H5::Attribute attribute = group_.openAttribute(name);
+        if (attribute.getSpace().getSimpleExtentNpoints() != 1 || !(attribute.getDataType() == type.file)) {
+            task_.fail(name, "not one number of its type");
+        }
+        attribute.read(type.memory, data);
+    });
 }
 
 std::string Group::read_text_attribute(const std::string& name) const
 {
-    const Handle attribute{H5Aopen(handle_.id(), name.c_str(), H5P_DEFAULT), H5Aclose, task_, name};
-    const Handle type{H5Aget_type(attribute.id()), H5Tclose, task_, name};
-    return read_fixed_text(type.id(), task_, name, [&attribute](hid_t as, void* buffer) {
-        return H5Aread(attribute.id(), as, buffer);
-    });
+    return attempt(task_, name, [&] { return fixed_text(group_.openAttribute(name), task_, name); });
 }
 
 File::File(const std::string& where, std::size_t user_block)
-    : task_{Task::Kind::write, where}, handle_(create_image(user_block, task_)), user_block_(user_block)
+    : task_{Task::Kind::write, where}, file_(create_image(user_block, task_)), user_block_(user_block)
 {
 }
 
 File::File(std::span<const std::byte> image, const std::string& where)
-    : task_{Task::Kind::read, where}, handle_(open_image(image, task_))
+    : task_{Task::Kind::read, where}, file_(open_image(image, task_))
 {
 }
 
 Group File::root() const
 {
-    return {Handle(H5Gopen2(handle_.id(), "/", H5P_DEFAULT), H5Gclose, task_, "the root group"), task_};
+    return {attempt(task_, "the root group", [&] { return file_.openGroup("/"); }), task_};
 }
 
 std::vector<std::byte> File::image() const
 {
-    if (H5Fflush(handle_.id(), H5F_SCOPE_GLOBAL) < 0) {
-        task_.fail("the file");
-    }
-    // HDF5 leaves the user block out, but counts on it in the addresses.
-    const ssize_t size = H5Fget_file_image(handle_.id(), nullptr, 0);
-    if (size <= 0) {
-        task_.fail("the file");
-    }
-    const auto length = static_cast<std::size_t>(size);
-    std::vector<std::byte> bytes(user_block_ + length);
-    if (H5Fget_file_image(handle_.id(), bytes.data() + user_block_, length) != size) {
-        task_.fail("the file");
-    }
-    return bytes;
+    return attempt(task_, "the file", [&] {
+        file_.flush(H5F_SCOPE_GLOBAL);
+        // HDF5 leaves the user block out, but counts on it in the addresses.
+        const auto size = std::max<ssize_t>(H5Fget_file_image(file_.getId(), nullptr, 0), 0);
+        std::vector<std::byte> bytes(user_block_ + static_cast<std::size_t>(size));
+        if (size == 0 || H5Fget_file_image(file_.getId(), bytes.data() + user_block_,
+                                           static_cast<std::size_t>(size)) != size) {
+            throw H5::FileIException();
+        }
+        return bytes;
+    });
 }
 
 } // namespace aneurysm::output::hdf5

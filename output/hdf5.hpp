@@ -3,7 +3,9 @@
 // every failure an Error with HDF5's reason.
 #pragma once
 
-#include <hdf5.h>
+#include "common/particles.hpp"
+
+#include <H5Cpp.h>
 
 #include <array>
 #include <cstddef>
@@ -24,35 +26,12 @@ struct Task {
 
     /// \throws Error or InputError: "cannot read `name` (`reason`)"
     [[noreturn]] void fail(const std::string& name, const std::string& reason) const;
-    /// The same with HDF5's own reason.
-    [[noreturn]] void fail(const std::string& name) const;
-};
-
-/// An HDF5 identifier and how to close it.
-class Handle
-{
-public:
-    using Close = herr_t (*)(hid_t);
-
-    /// Fails for `task` when `id` says that the call which made it did.
-    Handle(hid_t id, Close close, const Task& task, const std::string& name);
-    ~Handle();
-    Handle(Handle&& other) noexcept;
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    Handle& operator=(Handle&&) = delete;
-
-    hid_t id() const { return id_; }
-
-private:
-    hid_t id_;
-    Close close_;
 };
 
 /// HDF5's name for a number type of ours, and the one that files hold: little-endian on every machine.
 struct Type {
-    hid_t memory;
-    hid_t file;
+    const H5::PredType& memory;
+    const H5::PredType& file;
 };
 Type type_of(double);
 Type type_of(std::int64_t);
@@ -62,17 +41,19 @@ Type type_of(std::uint8_t);
 class Group
 {
 public:
-    Group(Handle handle, Task task) : handle_(std::move(handle)), task_(std::move(task)) {}
+    Group(H5::Group group, Task task) : group_(std::move(group)), task_(std::move(task)) {}
 
     Group create_group(const std::string& name) const;
     Group open_group(const std::string& name) const;
 
     /// An array of rows of `columns` numbers (1: a plain array).
     template <class Number>
-    void write(const std::string& name, std::span<const Number> values, std::size_t columns = 1) const
+    void write(const std::string& name, const std::vector<Number>& values, std::size_t columns = 1) const
     {
         write_array(name, values.data(), values.size(), columns, type_of(Number{}));
     }
+    void write(const std::string& name, const std::vector<Vec3>& vectors) const;
+    void write(const std::string& name, const std::vector<Kind>& kinds) const;
     void write(const std::string& name, const std::string& text) const;
     template <class Number>
     std::vector<Number> read(const std::string& name, std::size_t columns = 1) const
@@ -81,6 +62,8 @@ public:
         read_array(name, values.data(), type_of(Number{}));
         return values;
     }
+    std::vector<Vec3> read_vectors(const std::string& name) const;
+    std::vector<Kind> read_kinds(const std::string& name) const;
     std::string read_text(const std::string& name) const;
 
     template <class Number>
@@ -94,7 +77,6 @@ public:
         write_attribute(name, values.data(), n, type_of(Number{}));
     }
     void write_attribute(const std::string& name, const std::string& text) const;
-    bool has_attribute(const std::string& name) const { return H5Aexists(handle_.id(), name.c_str()) > 0; }
     template <class Number>
     Number read_attribute(const std::string& name) const
     {
@@ -114,7 +96,7 @@ private:
     void write_attribute(const std::string& name, const void* data, std::size_t count, Type type) const;
     void read_attribute(const std::string& name, void* data, Type type) const;
 
-    Handle handle_;
+    H5::Group group_;
     Task task_;
 };
 
@@ -134,7 +116,7 @@ public:
 
 private:
     Task task_;
-    Handle handle_;
+    H5::H5File file_;
     std::size_t user_block_ = 0;
 };
 

@@ -19,54 +19,24 @@ namespace
 constexpr std::uint8_t vtk_vertex = 1;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<double> flat(const std::vector<Vec3>& vectors)
-{
-    std::vector<double> numbers;
-    numbers.reserve(3 * vectors.size());
-    for (const Vec3& v : vectors) {
-        numbers.insert(numbers.end(), {v.x, v.y, v.z});
-    }
-    return numbers;
-}
-
-std::vector<std::uint8_t> numbers_of(const std::vector<Kind>& kinds)
-{
-    std::vector<std::uint8_t> numbers;
-    for (const Kind kind : kinds) {
-        numbers.push_back(static_cast<std::uint8_t>(kind));
-    }
-    return numbers;
-}
-
-template <class Number>
-void write(const hdf5::Group& group, const char* name, const std::vector<Number>& values,
-           std::size_t columns = 1)
-{
-    group.write(name, std::span(values), columns);
-}
-
 /// One vertex cell for each point.
 void write_cells(const hdf5::Group& group, std::size_t count)
 {
     const auto n = static_cast<std::int64_t>(count);
     for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"}) {
-        write(group, name, std::vector{n});
+        group.write(name, std::vector{n});
     }
     std::vector<std::int64_t> numbers(count + 1);
     std::iota(numbers.begin(), numbers.end(), 0);
-    write(group, "Offsets", numbers);
+    group.write("Offsets", numbers);
     numbers.pop_back();
-    write(group, "Connectivity", numbers);
-    write(group, "Types", std::vector<std::uint8_t>(count, vtk_vertex));
+    group.write("Connectivity", numbers);
+    group.write("Types", std::vector<std::uint8_t>(count, vtk_vertex));
 }
 
-std::vector<Vec3> read_vectors(const hdf5::Group& group, const char* name)
+std::vector<Vec3> read_finite(const hdf5::Group& group, const char* name)
 {
-    const std::vector<double> numbers = group.read<double>(name, 3);
-    std::vector<Vec3> vectors;
-    for (std::size_t i = 0; i < numbers.size(); i += 3) {
-        vectors.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
-    }
+    const std::vector<Vec3> vectors = group.read_vectors(name);
     const auto bad = std::find_if_not(vectors.begin(), vectors.end(), is_finite<double>);
     if (bad != vectors.end()) {
         group.task().fail(name, "row " + std::to_string(bad - vectors.begin()) + " is not finite");
@@ -76,12 +46,9 @@ std::vector<Vec3> read_vectors(const hdf5::Group& group, const char* name)
 
 std::vector<Kind> read_kinds(const hdf5::Group& group)
 {
-    std::vector<Kind> kinds;
-    for (const std::uint8_t number : group.read<std::uint8_t>("kind")) {
-        if (number == 0 || number > static_cast<std::uint8_t>(Kind::outlet_2)) {
-            group.task().fail("kind", "unknown value " + std::to_string(number));
-        }
-        kinds.push_back(static_cast<Kind>(number));
+    const std::vector<Kind> kinds = group.read_kinds("kind");
+    if (std::ranges::find(kinds, Kind::reserve) != kinds.end()) {
+        group.task().fail("kind", "unknown value 0");
     }
     return kinds;
 }
@@ -126,13 +93,13 @@ void write_vtk(const std::filesystem::path& file, const ParticleFields& fields)
         grid.write_attribute("Version", std::array<std::int64_t, 2>{1, 0});
         grid.write_attribute("Type", std::string("UnstructuredGrid"));
         write_cells(grid, shown.id.size());
-        write(grid, "Points", flat(shown.position), 3);
+        grid.write("Points", shown.position);
         const hdf5::Group data = grid.create_group("PointData");
-        write(data, "id", shown.id);
-        write(data, "kind", numbers_of(shown.kind));
-        write(data, "velocity", flat(shown.velocity), 3);
-        write(data, "density", shown.density);
-        write(data, "pressure", shown.pressure);
+        data.write("id", shown.id);
+        data.write("kind", shown.kind);
+        data.write("velocity", shown.velocity);
+        data.write("density", shown.density);
+        data.write("pressure", shown.pressure);
     }
     write_atomically(file, std::span<const std::byte>(image.image()));
 }
@@ -144,8 +111,8 @@ ShownParticles read_vtk(const std::filesystem::path& file)
     const hdf5::Group grid = image.root().open_group("VTKHDF");
     const hdf5::Group data = grid.open_group("PointData");
     ShownParticles shown{.id = data.read<std::int64_t>("id"),
-                         .position = read_vectors(grid, "Points"),
-                         .velocity = read_vectors(data, "velocity"),
+                         .position = read_finite(grid, "Points"),
+                         .velocity = read_finite(data, "velocity"),
                          .density = data.read<double>("density"),
                          .pressure = data.read<double>("pressure"),
                          .kind = read_kinds(data)};

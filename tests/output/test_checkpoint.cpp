@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_file_of_hdf5_that_lacks_something_is_refused)
     const auto nothing = [](const hdf5::Group&) {};
     const auto numbers = [](const hdf5::Group& root) {
         const std::vector<double> values{1, 2, 3, 4};
-        root.write("x", std::span(values));
+        root.write("x", values);
         root.write_attribute("x", 1.5);
     };
     BOOST_TEST(contains(message(nothing, [](const auto& root) { root.open_group("x"); }), "cannot read x"));
