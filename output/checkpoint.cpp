@@ -2,13 +2,14 @@
 #include "output/checkpoint.hpp"
 
 #include "common/error.hpp"
+#include "common/file.hpp"
 #include "common/hash.hpp"
 #include "output/columns.hpp"
 #include "output/file.hpp"
 #include "output/hdf5.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <span>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -86,18 +87,16 @@ void read_number(const hdf5::Group& group, const std::string& name, Number& numb
     }
 }
 
-std::string hash_after_block(const std::vector<std::byte>& bytes)
+std::string hash_after_block(std::string_view bytes)
 {
     Fnv1a hash;
-    hash.add(std::span(bytes).subspan(std::min(block_size, bytes.size())));
+    hash.add(std::as_bytes(std::span(bytes.substr(std::min(block_size, bytes.size())))));
     return hash.hex();
 }
 
-void check_block(const std::vector<std::byte>& bytes, const std::string& where)
+void check_block(const std::string& bytes, const std::string& where)
 {
-    const std::string block(reinterpret_cast<const char*>(bytes.data()),
-                            std::min(block_size, bytes.size())); // NOLINT
-    std::istringstream words(block.starts_with(format) ? block.substr(format.size()) : "");
+    std::istringstream words(bytes.starts_with(format) ? bytes.substr(format.size(), block_size) : "");
     std::string found_version;
     std::string found_hash;
     words >> found_version >> found_hash;
@@ -130,17 +129,16 @@ void write_checkpoint(const std::filesystem::path& file, const Scenario& scenari
             write_number(root.open_group(group), std::string(name), number);
         });
     }
-    std::vector<std::byte> bytes = image.image();
+    std::string bytes = image.image();
     const std::string line =
         std::string(format) + " " + std::to_string(version) + " " + hash_after_block(bytes) + "\n";
-    std::memcpy(bytes.data(), line.data(), line.size());
-    write_atomically(file, std::span<const std::byte>(bytes));
+    write_atomically(file, bytes.replace(0, line.size(), line));
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file)
 {
     const std::string where = file.string();
-    const std::vector<std::byte> bytes = read_bytes(file);
+    const std::string bytes = read_text(file);
     check_block(bytes, where);
     const hdf5::File image(bytes, where);
     const hdf5::Group root = image.root();

@@ -2,6 +2,7 @@
 #include "output/file.hpp"
 
 #include "common/error.hpp"
+#include "common/file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -29,6 +30,19 @@ std::string reason()
                 "needed: a writable place with enough space; what was complete is kept");
 }
 
+/// \return whether it could be written; errno says why not
+bool write_all(int descriptor, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
+        if (n < 0 && errno != EINTR) {
+            return false;
+        }
+        bytes.remove_prefix(n > 0 ? static_cast<std::size_t>(n) : 0);
+    }
+    return true;
+}
+
 /// A file descriptor that is closed, and whose file is removed unless it was kept.
 class Temporary
 {
@@ -53,14 +67,10 @@ public:
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
-    void write(std::span<const std::byte> bytes) const
+    void write(std::string_view bytes) const
     {
-        while (!bytes.empty()) {
-            const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
-            if (n < 0 && errno != EINTR) {
-                fail_write(final_);
-            }
-            bytes = bytes.subspan(n > 0 ? static_cast<std::size_t>(n) : 0);
+        if (!write_all(descriptor_, bytes)) {
+            fail_write(final_);
         }
     }
     void keep()
@@ -92,53 +102,12 @@ void sync_directory(const fs::path& directory)
 
 } // namespace
 
-void write_atomically(const fs::path& file, std::span<const std::byte> bytes)
+void write_atomically(const fs::path& file, std::string_view bytes)
 {
     Temporary temporary(file);
     temporary.write(bytes);
     temporary.keep();
     sync_directory(file.parent_path());
-}
-
-void write_atomically(const fs::path& file, std::string_view text)
-{
-    write_atomically(file, std::as_bytes(std::span(text)));
-}
-
-std::vector<std::byte> read_bytes(const fs::path& file)
-{
-    const auto fail = [&file]() {
-        throw InputError(file.string(), "cannot be read (" + reason() + ")", "needed: a readable file");
-    };
-    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) {
-        fail();
-    }
-    std::vector<std::byte> bytes;
-    constexpr std::size_t piece = std::size_t{1} << 20U;
-    ssize_t n = 1;
-    while (n > 0) {
-        const std::size_t size = bytes.size();
-        bytes.resize(size + piece);
-        n = ::read(descriptor, bytes.data() + size, piece);
-        bytes.resize(size + (n > 0 ? static_cast<std::size_t>(n) : 0));
-        if (n < 0 && errno == EINTR) {
-            n = 1;
-        }
-    }
-    const int error = errno;
-    ::close(descriptor);
-    if (n < 0) {
-        errno = error;
-        fail();
-    }
-    return bytes;
-}
-
-std::string read_text(const fs::path& file)
-{
-    const std::vector<std::byte> bytes = read_bytes(file);
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; // NOLINT
 }
 
 LineFile::LineFile(fs::path file, Mode mode)
@@ -182,16 +151,11 @@ LineFile::LineFile(LineFile&& other) noexcept
 void LineFile::append(const std::string& line)
 {
     const std::string text = line + "\n";
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const ssize_t n = ::write(descriptor_, rest.data(), rest.size());
-        if (n < 0 && errno != EINTR) {
-            const int error = errno;
-            const bool whole_lines = ::ftruncate(descriptor_, size_) == 0;
-            errno = error;
-            fail_write(whole_lines ? file_ : fs::path(file_.string() + " (the last line is not whole)"));
-        }
-        rest.remove_prefix(n > 0 ? static_cast<std::size_t>(n) : 0);
+    if (!write_all(descriptor_, text)) {
+        const int error = errno;
+        const bool whole_lines = ::ftruncate(descriptor_, size_) == 0;
+        errno = error;
+        fail_write(whole_lines ? file_ : fs::path(file_.string() + " (the last line is not whole)"));
     }
     size_ += static_cast<std::int64_t>(text.size());
 }
@@ -205,13 +169,11 @@ void LineFile::sync() const
 
 void LineFile::keep(std::size_t lines)
 {
-    const std::vector<std::byte> bytes = read_bytes(file_);
+    const std::string text = read_text(file_);
     std::size_t end = 0;
     for (std::size_t line = 0; line < lines; ++line) {
-        while (end < bytes.size() && bytes[end] != std::byte{'\n'}) {
-            ++end;
-        }
-        if (end == bytes.size()) {
+        end = text.find('\n', end);
+        if (end == std::string::npos) {
             throw InputError(file_.string(),
                              "has fewer lines (" + std::to_string(line) +
                                  ") than its checkpoint's frame needs",

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace aneurysm::output
 {
 
 /// Replaces the file in one step: a temporary file beside it, synced, then renamed. Until then the old one
 /// stays. \throws Error that names the file and the system's reason
-void write_atomically(const std::filesystem::path& file, std::span<const std::byte> bytes);
-void write_atomically(const std::filesystem::path& file, std::string_view text);
-
-/// \throws InputError
-std::vector<std::byte> read_bytes(const std::filesystem::path& file);
-std::string read_text(const std::filesystem::path& file);
+void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 /// A text file that grows line by line. A line is in it whole or not
 /// at all, and stays when the program is killed.

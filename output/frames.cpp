@@ -2,9 +2,9 @@
 #include "output/frames.hpp"
 
 #include "common/error.hpp"
+#include "common/file.hpp"
 #include "common/hash.hpp"
 #include "output/columns.hpp"
-#include "output/file.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -66,7 +66,7 @@ H5::H5File create_image(std::size_t user_block, const Task& task)
     });
 }
 
-H5::H5File open_image(std::span<const std::byte> image, const Task& task)
+H5::H5File open_image(std::string_view image, const Task& task)
 {
     if (image.empty()) {
         task.fail("the file", "it is empty");
@@ -74,7 +74,7 @@ H5::H5File open_image(std::span<const std::byte> image, const Task& task)
     return attempt(task, "the file", [&] {
         const H5::FileAccPropList access = in_memory();
         // HDF5 copies the bytes, although it asks for them without const.
-        void* bytes = const_cast<std::byte*>(image.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast)
+        void* bytes = const_cast<char*>(image.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast)
         H5Pset_file_image(access.getId(), bytes, image.size());
         return H5::H5File(new_name(), H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, access);
     });
@@ -265,7 +265,7 @@ File::File(const std::string& where, std::size_t user_block)
 {
 }
 
-File::File(std::span<const std::byte> image, const std::string& where)
+File::File(std::string_view image, const std::string& where)
     : task_{Task::Kind::read, where}, file_(open_image(image, task_))
 {
 }
@@ -275,13 +275,13 @@ Group File::root() const
     return {attempt(task_, "the root group", [&] { return file_.openGroup("/"); }), task_};
 }
 
-std::vector<std::byte> File::image() const
+std::string File::image() const
 {
     return attempt(task_, "the file", [&] {
         file_.flush(H5F_SCOPE_GLOBAL);
         // HDF5 leaves the user block out, but counts on it in the addresses.
         const auto size = std::max<ssize_t>(H5Fget_file_image(file_.getId(), nullptr, 0), 0);
-        std::vector<std::byte> bytes(user_block_ + static_cast<std::size_t>(size));
+        std::string bytes(user_block_ + static_cast<std::size_t>(size), '\0');
         if (size == 0 || H5Fget_file_image(file_.getId(), bytes.data() + user_block_,
                                            static_cast<std::size_t>(size)) != size) {
             throw H5::FileIException();

@@ -10,8 +10,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -109,10 +109,10 @@ public:
     /// caller's (0, or a power of two from 512).
     explicit File(const std::string& where, std::size_t user_block = 0);
     /// From the bytes of a file.
-    File(std::span<const std::byte> image, const std::string& where);
+    File(std::string_view image, const std::string& where);
 
     Group root() const;
-    std::vector<std::byte> image() const;
+    std::string image() const;
 
 private:
     Task task_;

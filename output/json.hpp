@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/error.hpp"
-#include "output/file.hpp"
+#include "common/file.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/vtk.hpp"
 
+#include "common/file.hpp"
 #include "output/file.hpp"
 #include "output/hdf5.hpp"
 
@@ -101,12 +102,12 @@ void write_vtk(const std::filesystem::path& file, const ParticleFields& fields)
         data.write("density", shown.density);
         data.write("pressure", shown.pressure);
     }
-    write_atomically(file, std::span<const std::byte>(image.image()));
+    write_atomically(file, image.image());
 }
 
 ShownParticles read_vtk(const std::filesystem::path& file)
 {
-    const std::vector<std::byte> bytes = read_bytes(file);
+    const std::string bytes = read_text(file);
     const hdf5::File image(bytes, file.string());
     const hdf5::Group grid = image.root().open_group("VTKHDF");
     const hdf5::Group data = grid.open_group("PointData");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/error.hpp"
+#include "common/file.hpp"
 #include "common/scenario/scenario.hpp"
 #include "output/columns.hpp"
 
@@ -15,7 +16,6 @@
 #include <fstream>
 #include <limits>
 #include <random>
-#include <sstream>
 #include <string>
 
 namespace aneurysm::test
@@ -41,14 +41,6 @@ struct Scratch {
 inline Scenario scenario()
 {
     return read_scenario(fs::path(ANEURYSM_DATA) / "scenarios/quick.json");
-}
-
-inline std::string text_of(const fs::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
 }
 
 inline void write_text(const fs::path& file, const std::string& text)

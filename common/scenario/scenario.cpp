@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/scenario/scenario.hpp"
 
+#include "common/file.hpp"
 #include "common/hash.hpp"
 #include "common/scenario/json.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 #include <type_traits>
 
 namespace aneurysm
@@ -19,21 +16,6 @@ namespace
 using fields::Field;
 using fields::Json;
 namespace fs = std::filesystem;
-
-std::string read_text(const fs::path& file)
-{
-    const std::string advice = "needed: a readable scenario file";
-    if (std::error_code unused; fs::is_directory(file, unused)) {
-        throw InputError(file.string(), "cannot be read (it is a directory)", advice);
-    }
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (!stream || (stream.peek() != std::ifstream::traits_type::eof() && !(text << stream.rdbuf()))) {
-        throw InputError(file.string(), std::string("cannot be read (") + std::strerror(errno) + ")", advice);
-    }
-    return text.str();
-}
 
 /// `where`: the missing key may be written.
 void refuse_missing(const std::set<std::string>& present, Scenario& scenario, const std::string& origin,
@@ -52,7 +34,7 @@ void read_onto(const fs::path& file, std::vector<fs::path>& chain, Scenario& sce
                std::set<std::string>& present)
 {
     const std::string origin = file.string();
-    const Json json = fields::parse_strictly(read_text(file), origin);
+    const Json json = fields::parse_strictly(read_text(file, "needed: a readable scenario file"), origin);
     chain.push_back(fs::weakly_canonical(file));
     if (json.is_object() && json.contains("base") && json["base"].is_string()) {
         const fs::path base = file.parent_path() / fs::path(json["base"].get<std::string>());

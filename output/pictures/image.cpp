@@ -9,7 +9,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <span>
 
 namespace aneurysm::pictures
 {
@@ -55,9 +54,8 @@ void write_png(const std::filesystem::path& file, const Image& image)
     writer->WriteToMemoryOn();
     writer->Write();
     vtkUnsignedCharArray& bytes = *writer->GetResult();
-    const std::span<const unsigned char> span(bytes.GetPointer(0),
-                                              static_cast<std::size_t>(bytes.GetNumberOfValues()));
-    output::write_atomically(file, std::as_bytes(span));
+    const auto* const first = reinterpret_cast<const char*>(bytes.GetPointer(0)); // NOLINT
+    output::write_atomically(file, {first, static_cast<std::size_t>(bytes.GetNumberOfValues())});
 }
 
 } // namespace aneurysm::pictures

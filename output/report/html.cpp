@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/report/html.hpp"
 
-#include "output/file.hpp"
+#include "common/file.hpp"
 #include "output/report/markup.hpp"
 #include "output/report/style.hpp"
 #include "output/report/svg_plot.hpp"
@@ -150,20 +150,18 @@ struct Writer {
     }
     Markup operator()(const Picture& picture) const
     {
-        const std::string source = "data:image/png;base64," + base64(output::read_bytes(picture.file));
+        const std::string source = "data:image/png;base64," + base64(read_text(picture.file));
         return element("figure", {{"class", "picture"}},
                        empty_element("img", {{"src", source}, {"alt", picture.caption}}),
                        element("figcaption", {}, picture.caption));
     }
 
-    static std::string base64(const std::vector<std::byte>& bytes)
+    static std::string base64(const std::string& bytes)
     {
         namespace iterators = boost::archive::iterators;
         using Encoder =
             iterators::base64_from_binary<iterators::transform_width<std::string::const_iterator, 6, 8>>;
-        std::string raw(bytes.size(), '\0');
-        std::ranges::transform(bytes, raw.begin(), [](std::byte b) { return static_cast<char>(b); });
-        std::string text(Encoder(raw.cbegin()), Encoder(raw.cend()));
+        std::string text(Encoder(bytes.cbegin()), Encoder(bytes.cend()));
         constexpr std::size_t group = 4;
         text.append((group - text.size() % group) % group, '=');
         return text;

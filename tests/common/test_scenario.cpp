@@ -2,6 +2,7 @@
 // Reading, writing and refusing scenarios. The cases are made from
 // the field table itself, so that none is forgotten.
 #include "common/error.hpp"
+#include "common/file.hpp"
 #include "common/scenario/fields.hpp"
 #include "common/scenario/limits.hpp"
 
@@ -12,7 +13,6 @@
 #include <fstream>
 #include <limits>
 #include <set>
-#include <sstream>
 #include <type_traits>
 
 using namespace aneurysm;
@@ -23,14 +23,6 @@ namespace
 {
 
 const fs::path data = ANEURYSM_DATA;
-
-std::string text_of(const fs::path& file)
-{
-    std::ifstream stream(file);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 Scenario base()
 {
@@ -148,7 +140,7 @@ BOOST_AUTO_TEST_CASE(values_land_in_their_members)
 
 BOOST_AUTO_TEST_CASE(the_committed_schema_is_the_programs)
 {
-    BOOST_TEST(text_of(data / "scenario.schema.json") == scenario_schema());
+    BOOST_TEST(read_text(data / "scenario.schema.json") == scenario_schema());
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_key_is_refused)

@@ -45,9 +45,9 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_comes_back_to_the_same_bits)
     BOOST_TEST(c.state.frame == 123);
     BOOST_TEST((c.state.particles.position == s.particles.position));
     BOOST_TEST((c.state.particles.kind == s.particles.kind));
-    const std::string bytes = text_of(file);
+    const std::string bytes = read_text(file);
     write_checkpoint(file, scenario(), s);
-    BOOST_TEST((text_of(file) == bytes));
+    BOOST_TEST((read_text(file) == bytes));
 }
 
 BOOST_AUTO_TEST_CASE(a_damaged_checkpoint_is_refused)
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(a_damaged_checkpoint_is_refused)
     const fs::path file = scratch.path / "checkpoint.h5";
     const SimulationState s = any_state(123, 10);
     write_checkpoint(file, scenario(), s);
-    const std::string good = text_of(file);
+    const std::string good = read_text(file);
     const auto refused = [&] {
         const std::string message = message_of([&] { read_checkpoint(file); });
         return message.starts_with(file.string() + ": ") && message.find('\n') == std::string::npos;
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(a_foreign_checkpoint_is_refused)
     write_vtk(file, {s.particles, std::vector<double>(50, 1050)});
     BOOST_TEST(contains(message(), "no checkpoint"));
     write_checkpoint(file, scenario(), s);
-    const std::string good = text_of(file);
+    const std::string good = read_text(file);
     const std::string start = "aneurysm checkpoint ";
     BOOST_REQUIRE(good.starts_with(start + "1 "));
     write_text(file, start + "2" + good.substr(start.size() + 1));
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_file_of_hdf5_that_lacks_something_is_refused)
     const auto message = [](auto fill, auto read) {
         const hdf5::File written("file");
         fill(written.root());
-        const std::vector<std::byte> bytes = written.image();
+        const std::string bytes = written.image();
         const hdf5::File image(bytes, "file");
         return message_of([&] { read(image.root()); });
     };
@@ -122,9 +122,9 @@ BOOST_AUTO_TEST_CASE(a_file_of_hdf5_that_lacks_something_is_refused)
     BOOST_TEST(contains(
         message(numbers, [](const auto& root) { root.template read_attribute<std::int64_t>("x"); }), "type"));
     BOOST_TEST(message(numbers, [](const auto& root) { root.template read<double>("x"); }).empty());
-    const std::vector<std::byte> none;
+    const std::string none;
     BOOST_TEST(contains(message_of([&] { const hdf5::File image(none, "file"); }), "empty"));
-    const std::vector<std::byte> garbage(1000, std::byte{7});
+    const std::string garbage(1000, '\7');
     BOOST_TEST(
         contains(message_of([&] { const hdf5::File image(garbage, "file"); }), "cannot read the file"));
 }

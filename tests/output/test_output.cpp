@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(an_atomic_write_that_fails_leaves_the_old_file)
     write_atomically(file, "old");
     fs::create_directory(scratch.path / "file.tmp"); // in the way
     BOOST_TEST(contains(message_of([&] { write_atomically(file, "new"); }), file.string()));
-    BOOST_TEST(text_of(file) == "old");
+    BOOST_TEST(read_text(file) == "old");
     BOOST_TEST(
         contains(message_of([&] { write_atomically(scratch.path / "no/file", "new"); }), "No such file"));
 }
@@ -76,9 +76,9 @@ BOOST_AUTO_TEST_CASE(lines_are_whole_or_not_there)
     BOOST_TEST(contains(message_of([&] { LineFile(file, LineFile::Mode::create); }), "exists"));
     LineFile lines(file, LineFile::Mode::append);
     lines.keep(2);
-    BOOST_TEST(text_of(file) == "one\ntwo\n");
+    BOOST_TEST(read_text(file) == "one\ntwo\n");
     lines.append("four");
-    BOOST_TEST(text_of(file) == "one\ntwo\nfour\n");
+    BOOST_TEST(read_text(file) == "one\ntwo\nfour\n");
     BOOST_CHECK_THROW(lines.keep(4), InputError);
 
     LineFile full("/dev/full", LineFile::Mode::append);
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_run_directory_holds_what_happened)
         run.write_checkpoint(s);
         run.close(RunStatus::failed, "on purpose");
     }
-    const auto manifest = nlohmann::json::parse(text_of(out / "manifest.json"));
+    const auto manifest = nlohmann::json::parse(read_text(out / "manifest.json"));
     BOOST_TEST(manifest["status"] == "failed");
     BOOST_TEST(manifest["message"] == "on purpose");
     BOOST_TEST(manifest["frames"] == 1);
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_run_directory_holds_what_happened)
          {"version", "commit", "compiler", "flags", "precision", "device", "started", "written"}) {
         BOOST_TEST(!manifest[key].get<std::string>().empty(), key);
     }
-    BOOST_TEST(text_of(out / "hashes.csv") == hashes_header() + "\n" + hashes_row(s) + "\n");
+    BOOST_TEST(read_text(out / "hashes.csv") == hashes_header() + "\n" + hashes_row(s) + "\n");
 }
 
 BOOST_AUTO_TEST_CASE(resuming_goes_back_to_the_checkpoint)
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(resuming_goes_back_to_the_checkpoint)
     BOOST_TEST(read_frames(RunDirectory::frames_file(out)).size() == 2);
     BOOST_TEST(fs::exists(out / "particles/frame_000002.vtkhdf"));
     BOOST_TEST(!fs::exists(out / "particles/frame_000003.vtkhdf"));
-    const auto series = nlohmann::json::parse(text_of(out / "particles.vtkhdf.series"));
+    const auto series = nlohmann::json::parse(read_text(out / "particles.vtkhdf.series"));
     BOOST_TEST(series["files"].size() == 2);
     BOOST_TEST(series["files"][1]["name"] == "particles/frame_000002.vtkhdf");
     BOOST_TEST(series["files"][1]["time"] == 0.002);
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(particle_files_are_vtkhdf)
     }
     write_vtk(file, {s.particles, density});
 
-    const std::vector<std::byte> bytes = read_bytes(file);
+    const std::string bytes = read_text(file);
     const hdf5::File image(bytes, "p");
     const hdf5::Group grid = image.root().open_group("VTKHDF");
     BOOST_TEST(grid.read_text_attribute("Type") == "UnstructuredGrid");

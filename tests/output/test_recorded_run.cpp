@@ -51,7 +51,7 @@ void write_damaged(const fs::path& file, const std::string& missing, std::size_t
         const auto write = [&](const hdf5::Group& group, const std::string& name, const auto& values,
                                std::size_t columns = 1) {
             if (name != missing) {
-                group.write(name, std::span(values), columns);
+                group.write(name, values, columns);
             }
         };
         const std::vector<double> one(1);
@@ -65,8 +65,7 @@ void write_damaged(const fs::path& file, const std::string& missing, std::size_t
         write(data, "id", id);
         write(data, "kind", kinds);
     }
-    const std::vector<std::byte> bytes = image.image();
-    write_atomically(file, std::span<const std::byte>(bytes));
+    write_atomically(file, image.image());
 }
 
 } // namespace

@@ -128,11 +128,11 @@ BOOST_AUTO_TEST_CASE(kept_runs_are_used_again_and_others_made_anew)
     reproduction::RunStore runs(scratch.path, cpu, 2);
     runs.make({scenario, reproduction::with_seed(scenario, 2)});
     const fs::path manifest = runs.directory(scenario) / "manifest.json";
-    const auto first = output::read_bytes(manifest);
+    const auto first = read_text(manifest);
     const double impact = runs.records(scenario).back().impact_force;
     BOOST_TEST((runs.records(reproduction::with_seed(scenario, 2)).back().impact_force != impact));
     runs.make({scenario});
-    BOOST_TEST((output::read_bytes(manifest) == first)); // its dates, too
+    BOOST_TEST((read_text(manifest) == first)); // its dates, too
     Scenario other = scenario;
     other.inlet.peak_velocity_m_s *= 0.5;
     runs.make({other});

@@ -176,7 +176,7 @@ Baseline read_baseline(const fs::path& data)
     const fs::path file = data / "baseline.json";
     Baseline baseline;
     try {
-        baseline = baseline_from(output::Json::parse(output::read_text(file)), data);
+        baseline = baseline_from(output::Json::parse(read_text(file)), data);
     } catch (const nlohmann::json::exception& error) {
         throw InputError(file.string(), std::string("not as it was written (") + error.what() + ")",
                          "needed: a recorded baseline");

@@ -2,9 +2,9 @@
 #include "verification/comparison/hash_file.hpp"
 
 #include "common/error.hpp"
+#include "common/file.hpp"
 #include "common/text.hpp"
 #include "output/build_info.hpp"
-#include "output/file.hpp"
 #include "output/frames.hpp"
 
 #include <charconv>
@@ -90,7 +90,7 @@ std::string to_csv(const RecordedHashes& hashes)
 RecordedHashes read_hashes(const std::filesystem::path& file, const std::string& scenario,
                            Precision precision)
 {
-    std::istringstream stream(output::read_text(file));
+    std::istringstream stream(read_text(file));
     RecordedHashes result;
     bool has_precision = false;
     std::size_t number = 0;

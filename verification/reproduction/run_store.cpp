@@ -2,11 +2,11 @@
 #include "verification/reproduction/run_store.hpp"
 
 #include "common/error.hpp"
+#include "common/file.hpp"
 #include "common/parallel.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
 #include "output/build_info.hpp"
-#include "output/file.hpp"
 #include "output/frames.hpp"
 #include "output/run_directory.hpp"
 #include "output/run_frames.hpp"
@@ -38,7 +38,7 @@ Made made(const fs::path& directory, const Scenario& scenario, const backends::B
     if (!fs::exists(file)) {
         return {};
     }
-    const Json json = Json::parse(output::read_text(file), nullptr, false);
+    const Json json = Json::parse(read_text(file), nullptr, false);
     if (!json.is_object()) {
         return {};
     }
