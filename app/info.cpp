@@ -106,11 +106,15 @@ std::string program_info()
          << "  compiler  " << build.compiler << "\n"
          << "  flags     " << build.flags << "\n"
          << "  backends\n";
+    std::string reason; // said once, for all that lack the same
     for (const suite::SuiteSubject& s : suite::make_subjects()) {
-        text << "    " << std::left << std::setw(14) << s.subject.name()
-             << (s.missing.empty() ? s.subject.choice.backend == Backend::cuda ? s.device : "here"
-                                   : "not here: " + s.missing)
-             << "\n";
+        text << "    " << std::left << std::setw(14) << s.subject.name();
+        if (s.missing.empty()) {
+            text << (s.subject.choice.backend == Backend::cuda ? s.device : "here") << "\n";
+        } else {
+            text << "not here" << (s.missing == reason ? ", likewise" : ": " + s.missing) << "\n";
+        }
+        reason = s.missing;
     }
     return text.str();
 }

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The arrows between the rooms, and one namespace for each folder.
+"""The arrows between the rooms, one namespace for each folder, and where a header's functions are defined.
 
     common <- {reference, cuda, analytic, output} <- verification <- app, and tests and benchmarks
 
 reference, cuda, analytic and output never include one another, so that an error has to be made three times to stay
 hidden. The checks of the suite see a backend through its interface and bounds through comparisons only. GSL is for
-what compares: analytic and verification.
+what compares: analytic and verification. What an X.cpp or X_part.cpp defines for others is declared in X.hpp, or in the
+header that is the table of contents of its folder.
 """
 import re
 
@@ -48,6 +49,16 @@ NAMESPACES = {
     "benchmarks": "aneurysm::benchmarks",
     "tests": "aneurysm::test",
 }
+# Headers that list what the files of a folder define.
+CONTENTS = {
+    "common/scenario": "scenario.hpp",
+    "verification/checks": "checks.hpp",
+    "verification/reproduction": "items.hpp",
+    "verification/sensitivity": "sensitivity.hpp",
+}
+UNNAMED = re.compile(r"^namespace\n\{\n.*?^\} // namespace\n", re.MULTILINE | re.DOTALL)
+# At the beginning of a line: the type, then the name of the function, or of the class that it is a member of.
+DEFINED = re.compile(r"^(?!namespace|struct|class|enum|static|#|/|\}|\s)[^\n;={}]*?\b(\w+)(?:::~?\w+)?\(", re.MULTILINE)
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 NAMESPACE = re.compile(r"^namespace (aneurysm[\w:]*)", re.MULTILINE)
 
@@ -67,6 +78,21 @@ def is_inside(namespace, outer):
     return namespace == outer or (namespace.startswith(outer + "::") and namespace not in others)
 
 
+def headers_of(root, file):
+    """The text of the headers that may declare what a .cpp defines."""
+    words = file.stem.split("_")
+    own = [file.with_name("_".join(words[:count]) + ".hpp") for count in range(1, len(words) + 1)]
+    folder = file.relative_to(root).as_posix()
+    own += [root / name / header for name, header in CONTENTS.items() if is_in(folder, name)]
+    return "\n".join(header.read_text(encoding="utf-8") for header in own if header.exists())
+
+
+def undeclared(root, file, text):
+    """The functions that a .cpp defines, for others, without its header."""
+    declared = set(re.findall(r"\w+", headers_of(root, file)))
+    return sorted(set(DEFINED.findall(UNNAMED.sub("", text))) - declared - {"main"})
+
+
 def check(root):
     findings = []
     for room in sorted({folder.split("/")[0] for folder in MAY_INCLUDE}):
@@ -81,6 +107,9 @@ def check(root):
                     findings.append(f"{name}: must not include {target!r}")
                 elif head == "gsl" and room in WITHOUT_GSL:
                     findings.append(f"{name}: {room} must not use GSL ({target!r})")
+            if file.suffix == ".cpp" and room != "tests":
+                for function in undeclared(root, file, text):
+                    findings.append(f"{name}: defines {function}, which no header of its name declares")
             if file.suffix in {".hpp", ".cpp"} and not is_in(name, "tests/emulated_gpu"):
                 namespace = of_folder(name, NAMESPACES)
                 for opened in NAMESPACE.findall(text):
@@ -112,6 +141,9 @@ FAULTS = [
     ("common/vec3.hpp", "namespace aneurysm\n", "namespace aneurysm::output\n", "opens namespace"),
     ("output/report", "namespace aneurysm::report", "namespace aneurysm::output", "opens namespace"),
     ("verification/checks", "namespace aneurysm::checks", "namespace aneurysm::suite", "opens namespace"),
+    ("common/vessel/sampling.hpp", "Lattice sample_count(", "Lattice other(", "sampling.cpp: defines sample_count"),
+    ("verification/suite/report.hpp", "suite_junit(", "other(", "report_junit.cpp: defines suite_junit"),
+    ("verification/checks/checks.hpp", "rupture_checks()", "other_checks()", "rupture.cpp: defines rupture_checks"),
 ]
 
 if __name__ == "__main__":

@@ -1,17 +1,84 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "common/backend.hpp"
 #include "common/scenario/json.hpp"
+
+#include "common/backend.hpp"
 #include "common/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <type_traits>
+#include <vector>
 
 namespace aneurysm::fields
 {
 namespace
 {
+
+/// Follows the parser through the text: where it is, and which keys each open object has had.
+class KeyWatch
+{
+public:
+    explicit KeyWatch(const std::string& origin) : origin_(origin) {}
+
+    bool operator()(int, Json::parse_event_t event, const Json& parsed)
+    {
+        if (event == Json::parse_event_t::object_start) {
+            open_.emplace_back();
+        } else if (event == Json::parse_event_t::object_end) {
+            open_.pop_back();
+        } else if (event == Json::parse_event_t::key) {
+            const auto key = parsed.get<std::string>();
+            open_.back().last = key;
+            if (!open_.back().keys.insert(key).second) {
+                throw InputError(place(origin_, path()),
+                                 "key appears twice in its object (" + shown(parsed) + ")",
+                                 "allowed: each key once");
+            }
+        }
+        return true;
+    }
+
+    std::string path() const
+    {
+        std::string text;
+        for (const Object& object : open_) {
+            text += (text.empty() || object.last.empty() ? "" : ".") + object.last;
+        }
+        return text.empty() ? "(top)" : text;
+    }
+
+private:
+    struct Object {
+        std::set<std::string> keys;
+        std::string last;
+    };
+    const std::string& origin_;
+    std::vector<Object> open_;
+};
+
+/// The library's message without its own numbering, "parse error at line 3, column 5: ...", and without the
+/// text that it quotes where that isn't UTF-8.
+std::string reason_of(const nlohmann::json::exception& error)
+{
+    const std::string text = error.what();
+    const auto start = text.find("] ");
+    const auto quoted = std::min(text.find("; last read"), text.size());
+    const bool printable = text.find("ill-formed UTF-8") == std::string::npos;
+    const auto from = start == std::string::npos ? 0 : start + 2;
+    return text.substr(from, printable ? std::string::npos : quoted - from);
+}
+
+/// "a number > 0 and <= 1.0"
+std::string describe(const Range& range, bool integer)
+{
+    const auto text = [integer](double x) {
+        return integer ? Json(static_cast<std::int64_t>(x)).dump() : Json(x).dump();
+    };
+    return std::string(integer ? "an integer " : "a number ") + (range.low_open ? "> " : ">= ") +
+           text(range.low) + " and " + (range.high_open ? "< " : "<= ") + text(range.high);
+}
 
 /// One JSON value into one member.
 class Reader
@@ -206,13 +273,15 @@ void apply_assumed(const Json& json, const std::string& origin, Scenario& scenar
 
 } // namespace
 
-std::string describe(const Range& range, bool integer)
+Json parse_strictly(const std::string& text, const std::string& origin)
 {
-    const auto text = [integer](double x) {
-        return integer ? Json(static_cast<std::int64_t>(x)).dump() : Json(x).dump();
-    };
-    return std::string(integer ? "an integer " : "a number ") + (range.low_open ? "> " : ">= ") +
-           text(range.low) + " and " + (range.high_open ? "< " : "<= ") + text(range.high);
+    KeyWatch watch(origin);
+    try {
+        return Json::parse(text, std::ref(watch));
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(place(origin, watch.path()), "malformed JSON (" + reason_of(error) + ")",
+                         "allowed: JSON text as RFC 8259 defines it, with finite numbers");
+    }
 }
 
 void apply(const Json& json, const std::string& origin, Scenario& scenario, std::set<std::string>& present)
