@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "common/process/subprocess.hpp"
 #include "common/scenario/shipped.hpp"
+#include "output/file.hpp"
 #include "output/json.hpp"
 
 namespace aneurysm::reproduction
