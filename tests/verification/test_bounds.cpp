@@ -91,9 +91,9 @@ bool kernel_fits(double scale_of_h)
         const float K = 45 / (std::numbers::pi_v<float> * H * H * H * H * H * H);
         const float lap = r_float < H ? K * (H - r_float) : 0;
         const bounds::PairBounds pair = bounds.of(r, 0);
-        value.add(std::abs(single.value(r_float) - kernel.value(r)), pair.W_error);
-        gradient.add(length(wide(single.gradient(a - b)) - kernel.gradient(x)), pair.grad_W_error);
-        laplacian.add(std::abs(lap - reference::viscosity_laplacian(r, 2 * h)), pair.lap_W_error);
+        value.add(std::abs(single.value(r_float) - kernel.value(r)), pair.W.error);
+        gradient.add(length(wide(single.gradient(a - b)) - kernel.gradient(x)), pair.grad_W.error);
+        laplacian.add(std::abs(lap - reference::viscosity_laplacian(r, 2 * h)), pair.lap_W.error);
     }
     const std::array fit{value.fits(), gradient.fits(), laplacian.fits()};
     return fit[0] && fit[1] && fit[2];

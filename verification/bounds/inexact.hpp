@@ -74,6 +74,25 @@ inline Inexact operator/(const Inexact& a, const Inexact& b)
     return {value, (a.error + std::abs(value) * b.error) / std::abs(b.value) + std::abs(value)};
 }
 
+/// A sum of products c x y, and how far rounding moves it [in U].
+class SumBound
+{
+public:
+    void add(double c, double c_error, const Inexact& x, const Inexact& y)
+    {
+        size_ += c * x.value * y.value;
+        error_ += c * (x.error * y.value + x.value * y.error) + c_error * x.value * y.value;
+    }
+    /// Of the terms' sizes.
+    double size() const { return size_; }
+    /// The factors' errors, and the terms' roundings.
+    double error(double roundings) const { return error_ + roundings * size_; }
+
+private:
+    double size_ = 0;
+    double error_ = 0;
+};
+
 using InexactVec = Vec3T<Inexact>;
 
 /// A vector each of whose components is within `error` [in U].

@@ -36,16 +36,14 @@ PairBounds KernelBounds::of(double r, double difference) const
     const double delta = difference + 8 * r;
     const double K = reference::viscosity_laplacian(0, H) / H;
 
-    PairBounds b;
-    b.W = kernel_.value(r);
-    b.grad_W = std::abs(kernel_.derivative(r));
-    b.lap_W = reference::viscosity_laplacian(r, H);
-    b.W_error = b.grad_W * delta + roundings * norm * s.largest_term;
-    b.grad_W_error = curvature * (std::max(std::abs(s.second), std::abs(s.across)) * (difference + r) +
-                                  std::abs(s.second - s.across) * 8 * r) +
-                     roundings * norm / h * s.largest_slope_term;
-    b.lap_W_error = K * (delta + 2 * H) + roundings * b.lap_W;
-    return b;
+    const double W = kernel_.value(r);
+    const double slope = std::abs(kernel_.derivative(r));
+    const double laplacian = reference::viscosity_laplacian(r, H);
+    return {{W, slope * delta + roundings * norm * s.largest_term},
+            {slope, curvature * (std::max(std::abs(s.second), std::abs(s.across)) * (difference + r) +
+                                 std::abs(s.second - s.across) * 8 * r) +
+                        roundings * norm / h * s.largest_slope_term},
+            {laplacian, K * (delta + 2 * H) + roundings * laplacian}};
 }
 
 } // namespace aneurysm::bounds

@@ -2,18 +2,16 @@
 #pragma once
 
 #include "reference/kernel_function.hpp"
+#include "verification/bounds/inexact.hpp"
 
 namespace aneurysm::bounds
 {
 
-/// The kernels of a pair and how far two computations of them can be apart, in units of U.
+/// The kernels of a pair.
 struct PairBounds {
-    double W = 0;
-    double grad_W = 0; ///< its length
-    double lap_W = 0;
-    double W_error = 0;
-    double grad_W_error = 0; ///< 2-norm
-    double lap_W_error = 0;
+    Inexact W;
+    Inexact grad_W; ///< its length; the error is of the vector, as a 2-norm
+    Inexact lap_W;
 };
 
 /// Rounding of W, grad W and lap W of a pair at the distance r, whose difference vector is within

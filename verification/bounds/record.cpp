@@ -83,17 +83,20 @@ void RecordBounds::bound_density(const SimulationState& state, const reference::
         sum_error += units;
         ++count;
     }
-    density_max_ = {excess.low, excess.high};
-    density_min_ = {-deficit.high, -deficit.low};
-    density_ends_ = {at_ends.low, at_ends.high};
-    density_mean_ = rounding_.absolute((sum_error + (count + 2) * sum) / std::max(count, 1.0));
+    low_.density_error_max = excess.low;
+    high_.density_error_max = excess.high;
+    low_.density_error_min = -deficit.high;
+    high_.density_error_min = -deficit.low;
+    low_.density_error_max_ends = at_ends.low;
+    high_.density_error_max_ends = at_ends.high;
+    error_.density_error_mean = rounding_.absolute((sum_error + (count + 2) * sum) / std::max(count, 1.0));
 }
 
 void RecordBounds::bound_motion(const SimulationState& state, const ParticleErrors& errors)
 {
     const Particles& p = state.particles;
     Largest speed;
-    speed.add(speed_.low, 0, Truth::yes);
+    speed.add(low_.speed_max, 0, Truth::yes);
     double energy = 0;
     double energy_error = 0;
     double count = 0;
@@ -107,8 +110,9 @@ void RecordBounds::bound_motion(const SimulationState& state, const ParticleErro
             ++count;
         }
     }
-    speed_ = {speed.low, std::max(speed.high, speed_.high)};
-    kinetic_energy_ = rounding_.absolute(energy_error + (count + 5) * energy);
+    low_.speed_max = speed.low;
+    high_.speed_max = std::max(speed.high, high_.speed_max);
+    error_.kinetic_energy = rounding_.absolute(energy_error + (count + 5) * energy);
 }
 
 void RecordBounds::bound_solve(const reference::FlowStep& step, const StepBounds& bounds)
@@ -116,20 +120,20 @@ void RecordBounds::bound_solve(const reference::FlowStep& step, const StepBounds
     double count = 0;
     double divergence = 0;
     double residual = 0;
-    divergence_max_ = 0;
-    residual_max_ = 0;
+    error_.divergence_max = 0;
+    error_.residual_max = 0;
     for (std::size_t i = 0; i < bounds.residual.size(); ++i) {
         if (step.bodies.free(i)) {
             divergence += bounds.divergence[i];
             residual += bounds.residual[i];
-            divergence_max_ = std::max(divergence_max_, rounding_.absolute(bounds.divergence[i]));
-            residual_max_ = std::max(residual_max_, rounding_.absolute(bounds.residual[i]));
+            error_.divergence_max = std::max(error_.divergence_max, rounding_.absolute(bounds.divergence[i]));
+            error_.residual_max = std::max(error_.residual_max, rounding_.absolute(bounds.residual[i]));
             ++count;
         }
     }
     // The rounding of the mean itself is added when its value is known.
-    divergence_mean_ = rounding_.absolute(divergence / std::max(count, 1.0));
-    residual_mean_ = rounding_.absolute(residual / std::max(count, 1.0));
+    error_.divergence_mean = rounding_.absolute(divergence / std::max(count, 1.0));
+    error_.residual_mean = rounding_.absolute(residual / std::max(count, 1.0));
 }
 
 /// S of (16) and its forces.
@@ -142,8 +146,8 @@ void RecordBounds::bound_impact(const SimulationState& state, const reference::W
     const Inexact R = rounded(wall.radius);
     Largest force;
     Largest force_eos;
-    impact_certain_ = 0;
-    impact_possible_ = 0;
+    low_.impact_count = 0;
+    high_.impact_count = 0;
     for (std::size_t i = 0; wall_->vessel().has_sac() && i < p.size(); ++i) {
         // Three spacings further in no rounding matters.
         if (p.kind[i] != Kind::fluid ||
@@ -159,32 +163,31 @@ void RecordBounds::bound_impact(const SimulationState& state, const reference::W
         if (member == Truth::no) {
             continue;
         }
-        impact_certain_ += member == Truth::yes ? 1 : 0;
-        ++impact_possible_;
+        low_.impact_count += member == Truth::yes ? 1 : 0;
+        ++high_.impact_count;
         const InexactForce F = bounds.force(i);
         force.add(F.dfsph.value, rounding_.absolute(F.dfsph.error), member);
         force_eos.add(F.eos.value, rounding_.absolute(F.eos.error), member);
         hits_.push_back({static_cast<std::int64_t>(i), F.dfsph});
     }
-    if (impact_possible_ == 0) {
+    if (high_.impact_count == 0) {
         return;
     }
     // Nothing certain: F_b may be 0.
-    const Range step{std::max(force.low, 0.0), force.high};
-    const Range eos{std::max(force_eos.low, 0.0), force_eos.high};
-    impact_ =
-        impact_found_ ? Range{std::max(impact_.low, step.low), std::max(impact_.high, step.high)} : step;
-    impact_eos_ =
-        impact_found_ ? Range{std::min(impact_eos_.low, eos.low), std::max(impact_eos_.high, eos.high)} : eos;
+    const double low_eos = std::max(force_eos.low, 0.0);
+    low_.impact_force = std::max({low_.impact_force, force.low, 0.0});
+    high_.impact_force = std::max(high_.impact_force, force.high);
+    low_.impact_force_eos = impact_found_ ? std::min(low_.impact_force_eos, low_eos) : low_eos;
+    high_.impact_force_eos = std::max(high_.impact_force_eos, force_eos.high);
     impact_found_ = true;
 }
 
 void RecordBounds::add_collisions(const CollisionCounts& counts)
 {
-    collisions_.collisions_certain += counts.collisions_certain;
-    collisions_.collisions_possible += counts.collisions_possible;
-    collisions_.outside_certain = counts.outside_certain;
-    collisions_.outside_possible = counts.outside_possible;
+    low_.collisions += counts.collisions_certain;
+    high_.collisions += counts.collisions_possible;
+    low_.outside = counts.outside_certain;
+    high_.outside = counts.outside_possible;
 }
 
 void RecordBounds::finish(const FrameRecord& record, const ParticleErrors& errors,
@@ -192,38 +195,33 @@ void RecordBounds::finish(const FrameRecord& record, const ParticleErrors& error
 {
     low = record;
     high = record;
-    const auto around = [&](double FrameRecord::*member, double error) {
-        low.*member = record.*member - error;
-        high.*member = record.*member + error;
-    };
-    const auto between = [&](double FrameRecord::*member, const Range& range) {
-        low.*member = range.low;
-        high.*member = range.high;
-    };
     const auto n = static_cast<double>(record.active);
-    around(&FrameRecord::time, rounding_.absolute(2 * record.time));
-    around(&FrameRecord::inlet_velocity, rounding_.absolute(inlet_velocity.error));
-    around(&FrameRecord::outlet_velocity,
-           rounding_.absolute(errors.outlet_velocity[0] + errors.outlet_velocity[1] +
-                              2 * std::abs(record.outlet_velocity)));
-    around(&FrameRecord::density_error_mean, density_mean_);
-    between(&FrameRecord::density_error_max, density_max_);
-    between(&FrameRecord::density_error_min, density_min_);
-    between(&FrameRecord::density_error_max_ends, density_ends_);
-    around(&FrameRecord::divergence_mean, divergence_mean_ + rounding_.absolute(n * record.divergence_mean));
-    around(&FrameRecord::divergence_max, divergence_max_);
-    around(&FrameRecord::residual_mean, residual_mean_ + rounding_.absolute(n * record.residual_mean));
-    around(&FrameRecord::residual_max, residual_max_);
-    around(&FrameRecord::kinetic_energy, kinetic_energy_);
-    between(&FrameRecord::speed_max, speed_);
-    between(&FrameRecord::impact_force, impact_);
-    between(&FrameRecord::impact_force_eos, impact_eos_);
-    low.impact_count = impact_certain_;
-    high.impact_count = impact_possible_;
-    low.collisions = collisions_.collisions_certain;
-    high.collisions = collisions_.collisions_possible;
-    low.outside = collisions_.outside_certain;
-    high.outside = collisions_.outside_possible;
+    FrameRecord error = error_;
+    error.time = rounding_.absolute(2 * record.time);
+    error.inlet_velocity = rounding_.absolute(inlet_velocity.error);
+    error.outlet_velocity = rounding_.absolute(errors.outlet_velocity[0] + errors.outlet_velocity[1] +
+                                               2 * std::abs(record.outlet_velocity));
+    error.divergence_mean += rounding_.absolute(n * record.divergence_mean);
+    error.residual_mean += rounding_.absolute(n * record.residual_mean);
+    for (const auto number :
+         {&FrameRecord::time, &FrameRecord::inlet_velocity, &FrameRecord::outlet_velocity,
+          &FrameRecord::density_error_mean, &FrameRecord::divergence_mean, &FrameRecord::divergence_max,
+          &FrameRecord::residual_mean, &FrameRecord::residual_max, &FrameRecord::kinetic_energy}) {
+        low.*number -= error.*number;
+        high.*number += error.*number;
+    }
+    const auto take = [&](auto number) {
+        low.*number = low_.*number;
+        high.*number = high_.*number;
+    };
+    for (const auto number : {&FrameRecord::density_error_max, &FrameRecord::density_error_min,
+                              &FrameRecord::density_error_max_ends, &FrameRecord::speed_max,
+                              &FrameRecord::impact_force, &FrameRecord::impact_force_eos}) {
+        take(number);
+    }
+    for (const auto count : {&FrameRecord::impact_count, &FrameRecord::collisions, &FrameRecord::outside}) {
+        take(count);
+    }
     const Ledger& other = errors.other_counts;
     for (const auto count : {&Ledger::inlet_out, &Ledger::outlet_out, &Ledger::escaped, &Ledger::recycled}) {
         low.ledger.*count -= other.*count;

@@ -37,10 +37,6 @@ public:
     const std::vector<Hit>& hits() const { return hits_; }
 
 private:
-    struct Range {
-        double low = 0;
-        double high = 0;
-    };
     void bound_density(const SimulationState& state, const reference::FlowStep& step,
                        const StepBounds& bounds, const ParticleErrors& errors);
     void bound_motion(const SimulationState& state, const ParticleErrors& errors);
@@ -52,23 +48,10 @@ private:
     const WallBounds* wall_;
     double dx_;
     Rounding rounding_;
-    // Absolute errors of the last step's numbers.
-    double density_mean_ = 0;
-    double divergence_mean_ = 0;
-    double divergence_max_ = 0;
-    double residual_mean_ = 0;
-    double residual_max_ = 0;
-    double kinetic_energy_ = 0;
-    Range density_max_;
-    Range density_min_;
-    Range density_ends_;
-    Range speed_;
-    Range impact_;
-    Range impact_eos_;
-    std::int64_t impact_certain_ = 0;
-    std::int64_t impact_possible_ = 0;
+    FrameRecord error_; ///< absolute, of the numbers that lie around the reference's
+    FrameRecord low_;   ///< of the numbers that have a range of their own
+    FrameRecord high_;
     bool impact_found_ = false;
-    CollisionCounts collisions_;
     std::vector<Hit> hits_;
 };
 

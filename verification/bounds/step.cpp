@@ -57,14 +57,11 @@ void StepBounds::find_pairs(const reference::Period& box, double support_margin)
 void StepBounds::bound_density()
 {
     for (std::size_t i = 0; i < density.size(); ++i) {
-        double sum = 0;
-        double terms_error = 0;
+        SumBound sum;
         for (const Pair& n : pairs(i)) {
-            const double m = bodies_->mass[n.j];
-            sum += m * n.kernel.W;
-            terms_error += m * n.kernel.W_error + errors_->mass[n.j] * n.kernel.W;
+            sum.add(bodies_->mass[n.j], errors_->mass[n.j], {1, 0}, n.kernel.W);
         }
-        density[i] = terms_error + (terms(i) + 2) * sum;
+        density[i] = sum.error(terms(i) + 2);
     }
 }
 
@@ -78,21 +75,17 @@ void StepBounds::bound_forces(std::span<const Vec3> before, const SimulationStat
         if (!bodies_->free(i)) {
             continue;
         }
-        double magnitude = 0;
-        double error = 0;
+        SumBound sum;
         for (const Pair& n : pairs(i)) {
             if (bodies_->role[n.j] == Role::slip) {
                 continue;
             }
             const double dv = length(velocity_of(n.j) - velocity_of(i));
             const double dv_error = n.j == i ? 0 : errors_->velocity[i] + errors_->velocity[n.j] + dv;
-            const double factor = mu * bodies_->mass[n.j] / rho(n.j);
-            const double rho_error = n.j < density.size() ? density[n.j] / rho(n.j) : 1;
-            magnitude += factor * n.kernel.lap_W * dv;
-            error += factor * (n.kernel.lap_W_error * dv + n.kernel.lap_W * (dv_error + rho_error * dv)) +
-                     mu * errors_->mass[n.j] / rho(n.j) * n.kernel.lap_W * dv;
+            sum.add(mu * bodies_->mass[n.j] / rho(n.j), mu * errors_->mass[n.j] / rho(n.j), n.kernel.lap_W,
+                    {dv, dv_error + rho_error(n.j) * dv});
         }
-        viscosity_[i] = error + (terms(i) + 6) * magnitude;
+        viscosity_[i] = sum.error(terms(i) + 6);
         const double force = rho(i) * g + length(step_->F_viscosity[i]) + length(step_->F_outlet[i]);
         const double force_error = density[i] * g + rho(i) * body_force_.error + viscosity_[i] +
                                    outlet_force_error(i, driven) + 4 * force;
@@ -108,8 +101,7 @@ double StepBounds::outlet_force_error(std::size_t i, const SimulationState& driv
     if (scenario_->pressure.model != PressureModel::dfsph) {
         return 0;
     }
-    double magnitude = 0;
-    double error = 0;
+    SumBound sum;
     for (const Pair& n : pairs(i)) {
         if (bodies_->role[n.j] != Role::outlet) {
             continue;
@@ -120,11 +112,9 @@ double StepBounds::outlet_force_error(std::size_t i, const SimulationState& driv
         const double dynamic = v < 0 ? rho_0_ * v * v / 2 : 0;
         const double p_error = std::abs(scenario_->outlet.pressure_pa) + 5 * dynamic + std::abs(p) +
                                rho_0_ * std::abs(v) * errors_->outlet_velocity.at(k);
-        const double factor = bodies_->mass[n.j] / rho_0_;
-        magnitude += factor * std::abs(p) * n.kernel.grad_W;
-        error += factor * (p_error * n.kernel.grad_W + std::abs(p) * n.kernel.grad_W_error);
+        sum.add(bodies_->mass[n.j] / rho_0_, 0, {std::abs(p), p_error}, n.kernel.grad_W);
     }
-    return error + (terms(i) + 6) * magnitude;
+    return sum.error(terms(i) + 6);
 }
 
 /// v' = v* + dt a.
@@ -156,36 +146,29 @@ void StepBounds::bound_pressure(const SimulationState& driven)
 /// a = -sum m (p_i + p_j) / rho_0^2 grad W; the pressures are the candidate's own.
 double StepBounds::dfsph_error(std::size_t i) const
 {
-    double magnitude = 0;
-    double error = 0;
+    SumBound sum;
     for (const Pair& n : pairs(i)) {
         const double p_j = bodies_->free(n.j) ? step_->pressure[n.j] : 0;
         const double p = std::abs(step_->pressure[i]) + std::abs(p_j);
-        const double factor = bodies_->mass[n.j] * p / (rho_0_ * rho_0_);
-        magnitude += factor * n.kernel.grad_W;
-        error +=
-            factor * n.kernel.grad_W_error + errors_->mass[n.j] * p / (rho_0_ * rho_0_) * n.kernel.grad_W;
+        sum.add(bodies_->mass[n.j] * p / (rho_0_ * rho_0_), errors_->mass[n.j] * p / (rho_0_ * rho_0_),
+                {1, 0}, n.kernel.grad_W);
     }
-    return error + (terms(i) + 8) * magnitude;
+    return sum.error(terms(i) + 8);
 }
 
 /// (6), as a force per volume.
 double StepBounds::eos_error(std::size_t i, std::span<const double> p, std::span<const double> p_error) const
 {
-    double magnitude = 0;
-    double error = 0;
+    SumBound sum;
     for (const Pair& n : pairs(i)) {
         const bool mirror = bodies_->role[n.j] == Role::mirror || bodies_->role[n.j] == Role::slip;
         const double p_j = mirror ? p[i] : p[n.j];
-        const double sum = std::abs(p[i]) + std::abs(p_j);
-        const double sum_error = p_error[i] + (mirror ? p_error[i] : p_error[n.j]);
-        const double rho_error = n.j < density.size() ? density[n.j] / rho(n.j) : 1;
-        const double factor = bodies_->mass[n.j] / (2 * rho(n.j));
-        magnitude += factor * sum * n.kernel.grad_W;
-        error += factor * (sum * n.kernel.grad_W_error + (sum_error + rho_error * sum) * n.kernel.grad_W) +
-                 errors_->mass[n.j] / (2 * rho(n.j)) * sum * n.kernel.grad_W;
+        const double p_sum = std::abs(p[i]) + std::abs(p_j);
+        const double p_sum_error = p_error[i] + (mirror ? p_error[i] : p_error[n.j]);
+        sum.add(bodies_->mass[n.j] / (2 * rho(n.j)), errors_->mass[n.j] / (2 * rho(n.j)),
+                {p_sum, p_sum_error + rho_error(n.j) * p_sum}, n.kernel.grad_W);
     }
-    return error + (terms(i) + 6) * magnitude;
+    return sum.error(terms(i) + 6);
 }
 
 /// (2) with the new velocity, and the residual of (3).
@@ -198,21 +181,17 @@ void StepBounds::bound_divergence()
         if (!bodies_->free(i)) {
             continue;
         }
-        double magnitude = 0;
-        double error = 0;
+        SumBound sum;
         for (const Pair& n : pairs(i)) {
             const double dv = length(velocity_of(i) - velocity_of(n.j));
             const double dv_error = n.j == i ? 0 : error_of(i) + error_of(n.j) + dv;
-            const double m = bodies_->mass[n.j];
-            magnitude += m * dv * n.kernel.grad_W;
-            error += m * (dv * n.kernel.grad_W_error + dv_error * n.kernel.grad_W) +
-                     errors_->mass[n.j] * dv * n.kernel.grad_W;
+            sum.add(bodies_->mass[n.j], errors_->mass[n.j], {dv, dv_error}, n.kernel.grad_W);
         }
-        // Over rho_0: one rounding more of what is summed, which the magnitude bounds.
-        divergence[i] = (error + (terms(i) + 6) * magnitude) / rho_0_;
+        // Over rho_0: one rounding more of what is summed, which the terms' sizes bound.
+        divergence[i] = sum.error(terms(i) + 6) / rho_0_;
         const double correction = beta * std::abs(rho(i) - rho_0_) / dt_;
         residual[i] =
-            divergence[i] + (beta * (density[i] + rho_0_) / dt_ + 5 * correction + magnitude) / rho_0_;
+            divergence[i] + (beta * (density[i] + rho_0_) / dt_ + 5 * correction + sum.size()) / rho_0_;
     }
 }
 

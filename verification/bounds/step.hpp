@@ -74,6 +74,8 @@ private:
     }
     double terms(std::size_t i) const { return static_cast<double>(begin_[i + 1] - begin_[i]); }
     double rho(std::size_t j) const { return j < step_->rho.size() ? step_->rho[j] : rho_0_; }
+    /// Relative; a ghost's density is a constant.
+    double rho_error(std::size_t j) const { return j < density.size() ? density[j] / rho(j) : 1; }
 
     const Scenario* scenario_;
     double rho_0_;

@@ -2,7 +2,9 @@
 #include "verification/comparison/baseline.hpp"
 
 #include "common/error.hpp"
+#include "common/file.hpp"
 #include "common/hash.hpp"
+#include "common/text.hpp"
 #include "output/build_info.hpp"
 #include "output/file.hpp"
 #include "output/json.hpp"
@@ -120,21 +122,17 @@ std::string relative(double recorded, double now)
 /// First frame with other bits, and the fields; empty: none.
 std::string bits_difference(const RecordedHashes& recorded, const RecordedHashes& now)
 {
-    const std::vector<std::string> columns = hash_columns();
     for (const auto& [frame, row] : recorded.frames) {
         const auto found = now.frames.find(frame);
         if (found == now.frames.end()) {
             return "no frame " + std::to_string(frame);
         }
-        std::string fields;
-        for (std::size_t k = 0; k < columns.size(); ++k) {
-            if (row[k] != found->second[k] && columns[k] != "state") {
-                fields.append(fields.empty() ? "" : ", ").append(columns[k]);
-            }
+        std::vector<std::string> fields = differing_columns(row, found->second);
+        if (fields.size() > 1) {
+            std::erase(fields, "state"); // it differs with every field
         }
-        if (row != found->second) {
-            return "other bits from frame " + std::to_string(frame) + " on (" +
-                   (fields.empty() ? "state" : fields) + ")";
+        if (!fields.empty()) {
+            return "other bits from frame " + std::to_string(frame) + " on (" + joined(fields) + ")";
         }
     }
     return {};

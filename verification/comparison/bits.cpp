@@ -2,6 +2,7 @@
 #include "verification/comparison/bits.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 
@@ -14,19 +15,17 @@ namespace
 void check_hashes(const std::vector<std::string>& hashes, const std::vector<std::string>& expected,
                   const std::string& whose, FrameCheck& check, ComparisonResult& result)
 {
-    const std::vector<std::string> columns = hash_columns();
-    std::string differing;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        const bool same = hashes[k] == expected[k];
-        check.field(columns[k] + ", " + whose).add(same ? 0 : 1, 0);
-        differing += same ? "" : (differing.empty() ? "" : ", ") + columns[k];
+    const std::vector<std::string> differing = differing_columns(hashes, expected);
+    for (const std::string& column : hash_columns()) {
+        const bool same = std::ranges::find(differing, column) == differing.end();
+        check.field(column + ", " + whose).add(same ? 0 : 1, 0);
     }
     const std::string text = "other bits than " + whose;
     const bool known = std::ranges::any_of(
         result.problems, [&](const std::string& problem) { return problem.starts_with(text); });
     if (!differing.empty() && !known) {
         result.problems.push_back(text + ", first in frame " + std::to_string(check.frame()) + ": " +
-                                  differing);
+                                  joined(differing));
     }
 }
 

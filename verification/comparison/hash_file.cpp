@@ -30,14 +30,6 @@ std::string header()
     return output::hashes_header() + ",state";
 }
 
-void require(bool good, const std::filesystem::path& file, std::size_t line, const std::string& what,
-             const std::string& advice)
-{
-    if (!good) {
-        throw InputError(file.string() + ": line " + std::to_string(line), what, advice);
-    }
-}
-
 std::int64_t frame_of(const std::string& cell)
 {
     std::int64_t frame = -1;
@@ -59,6 +51,19 @@ std::vector<std::string> hashes_of(const SimulationState& state)
     std::vector<std::string> hashes = split(output::hashes_row(state) + "," + output::state_hash(state));
     hashes.erase(hashes.begin());
     return hashes;
+}
+
+std::vector<std::string> differing_columns(const std::vector<std::string>& a,
+                                           const std::vector<std::string>& b)
+{
+    const std::vector<std::string> columns = hash_columns();
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (a[k] != b[k]) {
+            names.push_back(columns[k]);
+        }
+    }
+    return names;
 }
 
 std::string recorded_as(const backends::BackendChoice& choice)
@@ -91,41 +96,35 @@ RecordedHashes read_hashes(const std::filesystem::path& file, const std::string&
                            Precision precision)
 {
     std::istringstream stream(read_text(file));
-    RecordedHashes result;
-    bool has_precision = false;
-    std::size_t number = 0;
+    std::size_t number = 1;
+    const auto require = [&](bool good, const std::string& what,
+                             const std::string& advice = "needed: the file as it was written") {
+        if (!good) {
+            throw InputError(file.string() + ": line " + std::to_string(number), what, advice);
+        }
+    };
+    std::map<std::string, std::string> title;
     std::string line;
-    while (std::getline(stream, line) && line.starts_with("# ")) {
-        ++number;
+    for (; std::getline(stream, line) && line.starts_with("# "); ++number) {
         std::istringstream words(line.substr(2));
         std::string key;
         std::string value;
         words >> key >> value;
-        if (key == "scenario") {
-            require(value == scenario, file, number, "of another scenario (" + value + ")",
-                    "needed: " + scenario);
-            result.scenario = value;
-        } else if (key == "scenario_hash") {
-            result.scenario_hash = value;
-        } else if (key == "precision") {
-            require(value == name_of(precision), file, number, "of another precision (" + value + ")",
-                    "needed: " + name_of(precision));
-            result.precision = precision;
-            has_precision = true;
-        }
+        require(key != "scenario" || value == scenario, "of another scenario (" + value + ")",
+                "needed: " + scenario);
+        require(key != "precision" || value == name_of(precision), "of another precision (" + value + ")",
+                "needed: " + name_of(precision));
+        title[key] = value;
     }
-    ++number;
-    const std::string as_written = "needed: the file as it was written";
-    require(!result.scenario.empty() && !result.scenario_hash.empty() && has_precision, file, number,
-            "no scenario, scenario_hash or precision above", as_written);
-    require(line == header(), file, number, "other columns than this version hashes",
-            "record the hashes again");
+    require(!title["scenario"].empty() && !title["scenario_hash"].empty() && !title["precision"].empty(),
+            "no scenario, scenario_hash or precision above");
+    require(line == header(), "other columns than this version hashes", "record the hashes again");
+    RecordedHashes result{scenario, title["scenario_hash"], precision, {}};
     while (std::getline(stream, line)) {
         ++number;
         std::vector<std::string> cells = split(line);
         const std::int64_t frame = cells.empty() ? -1 : frame_of(cells[0]);
-        require(frame >= 0 && cells.size() == hash_columns().size() + 1, file, number, "unreadable",
-                as_written);
+        require(frame >= 0 && cells.size() == hash_columns().size() + 1, "unreadable");
         result.frames[frame] = {cells.begin() + 1, cells.end()};
     }
     return result;

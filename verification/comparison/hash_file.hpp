@@ -20,6 +20,10 @@ std::vector<std::string> hash_columns();
 /// 64-bit FNV-1a of each of them.
 std::vector<std::string> hashes_of(const SimulationState& state);
 
+/// The columns in which two of these differ.
+std::vector<std::string> differing_columns(const std::vector<std::string>& a,
+                                           const std::vector<std::string>& b);
+
 /// Hashes that a run once had, by frame.
 struct RecordedHashes {
     std::string scenario;      ///< its name

@@ -38,25 +38,22 @@ struct Column {
     std::string_view name;
     double value = 0;
 };
-template <class Value>
-double as_number(const Value& value)
+auto collector(std::vector<Column>& columns)
 {
-    return static_cast<double>(value);
+    return [&columns](std::string_view name, const auto& value) {
+        columns.push_back({name, static_cast<double>(value)});
+    };
 }
 std::vector<Column> columns_of(const FrameRecord& record)
 {
     std::vector<Column> columns;
-    output::visit_record(record, [&](std::string_view name, const auto& value) {
-        columns.push_back({name, as_number(value)});
-    });
+    output::visit_record(record, collector(columns));
     return columns;
 }
 std::vector<Column> columns_of(const AneurysmState& aneurysm)
 {
     std::vector<Column> columns;
-    output::visit_aneurysm(aneurysm, [&](std::string_view name, const auto& value) {
-        columns.push_back({name, as_number(value)});
-    });
+    output::visit_aneurysm(aneurysm, collector(columns));
     return columns;
 }
 std::vector<std::string_view> exchange_columns()
