@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a report says, before it is written down: whoever knows the content builds a Document, and html.hpp,
-// markdown.hpp and text.hpp write it. So all forms of a report have the same rows and numbers.
+// What a report says, before it is written down: whoever knows the content builds a Document, and html.hpp and
+// markdown.hpp write it. So all forms of a report have the same rows and numbers.
 #pragma once
 
 #include "output/report/plot.hpp"
 
+#include <algorithm>
 #include <concepts>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -39,9 +42,16 @@ public:
     Text(Span span) : spans_{std::move(span)} {} // NOLINT: wanted
 
     const std::vector<Span>& spans() const { return spans_; }
-    bool empty() const;
+    bool empty() const
+    {
+        return std::ranges::all_of(spans_, [](const Span& s) { return s.words.empty(); });
+    }
 
-    Text& operator+=(const Text& more);
+    Text& operator+=(Text more) // a copy: it may be this one
+    {
+        std::ranges::move(more.spans_, std::back_inserter(spans_));
+        return *this;
+    }
     friend Text operator+(Text a, const Text& b) { return std::move(a += b); }
 
 private:
@@ -107,12 +117,8 @@ struct Heading {
 struct Contents {
 };
 struct List {
-    std::vector<Text> items;
-};
-/// Words and what they mean.
-struct Definitions {
-    std::vector<std::pair<Text, Text>> items;
-    bool large = false; ///< numbers that a reader should see first, each with what it counts
+    std::vector<Text> items{};
+    bool large = false; ///< numbers that a reader should see first: strong, each with what it counts
 };
 struct Picture {
     std::filesystem::path file; ///< PNG
@@ -120,13 +126,17 @@ struct Picture {
 };
 
 /// A Text is a paragraph.
-using Block = std::variant<Text, Verdict, Heading, Contents, List, Definitions, Table, Plot, Picture>;
+using Block = std::variant<Text, Verdict, Heading, Contents, List, Table, Plot, Picture>;
 
 struct Document {
     std::string title;
     std::vector<Block> blocks{};
 
-    Document& operator<<(Block block);
+    Document& operator<<(Block block)
+    {
+        blocks.push_back(std::move(block));
+        return *this;
+    }
 };
 
 } // namespace aneurysm::report

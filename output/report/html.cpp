@@ -29,28 +29,32 @@ Markup lines(const std::string& words)
     return result;
 }
 
+/// How a Look is shown.
+struct Style {
+    std::string_view element; ///< empty: none
+    const char* css_class;
+    const char* sign;
+};
+constexpr std::array<Style, 7> styles{{{"", "", ""},
+                                       {"b", "", ""},
+                                       {"code", "", ""},
+                                       {"span", "weak", ""},
+                                       {"span", "holds", "✓ "},
+                                       {"span", "warn", ""},
+                                       {"span", "fails", "✗ "}}};
+
 Markup markup(const Span& span)
 {
-    static constexpr std::array signs{"", "", "", "", "✓ ", "", "✗ "}; // by Look
-    static constexpr std::array classes{"", "", "", "weak", "holds", "warn", "fails"};
-    const auto look = static_cast<std::size_t>(span.look);
-    Markup words = Markup(signs.at(look)) << lines(span.words);
+    const Style& style = styles.at(static_cast<std::size_t>(span.look));
+    Markup words = Markup(style.sign) << lines(span.words);
     if (!span.target.empty()) {
         words = element("a", {{"href", "#" + span.target}}, words);
     }
-    if (!span.remark.empty()) {
-        return element("span", {{"class", classes.at(look)}, {"title", span.remark}}, words);
-    }
-    switch (span.look) {
-    case Look::plain:
+    if (style.element.empty() && span.remark.empty()) {
         return words;
-    case Look::strong:
-        return element("b", {}, words);
-    case Look::code:
-        return element("code", {}, words);
-    default:
-        return element("span", {{"class", classes.at(look)}}, words);
     }
+    return element(style.element.empty() ? "span" : style.element,
+                   {{"class", style.css_class}, {"title", span.remark}}, words);
 }
 
 Markup markup(const Text& text)
@@ -71,9 +75,8 @@ Markup row(const Row& row, const std::vector<Column>& columns)
     static constexpr std::array classes{"", "number", "long", "sign"}; // by Column::Kind
     Markup cells;
     for (std::size_t k = 0; k < row.size(); ++k) {
-        const std::string style = classes.at(static_cast<std::size_t>(columns.at(k).kind));
-        cells << (style.empty() ? element("td", {}, markup(row[k]))
-                                : element("td", {{"class", style}}, markup(row[k])));
+        const char* style = classes.at(static_cast<std::size_t>(columns.at(k).kind));
+        cells << element("td", {{"class", style}}, markup(row[k]));
     }
     return element("tr", {}, cells);
 }
@@ -95,9 +98,7 @@ struct Writer {
     }
     Markup operator()(const Heading& heading) const
     {
-        const std::string name = "h" + std::to_string(heading.level);
-        return heading.id.empty() ? element(name, {}, markup(heading.words))
-                                  : element(name, {{"id", heading.id}}, markup(heading.words));
+        return element("h" + std::to_string(heading.level), {{"id", heading.id}}, markup(heading.words));
     }
     Markup operator()(const Contents&) const
     {
@@ -117,24 +118,13 @@ struct Writer {
         for (const Text& item : list.items) {
             items << element("li", {}, markup(item));
         }
-        return element("ul", {}, items);
-    }
-    Markup operator()(const Definitions& definitions) const
-    {
-        Markup items;
-        for (const auto& [word, meaning] : definitions.items) {
-            items << (definitions.large
-                          ? element("li", {}, element("b", {}, markup(word)), markup(meaning))
-                          : element("dt", {}, markup(word)) << element("dd", {}, markup(meaning)));
-        }
-        return definitions.large ? element("ul", {{"class", "figures"}}, items) : element("dl", {}, items);
+        return element("ul", {{"class", list.large ? "figures" : ""}}, items);
     }
     Markup operator()(const Table& table) const
     {
         Markup head;
         for (const Column& column : table.columns) {
-            head << (column.kind == Column::Kind::sign ? element("th", {{"class", "sign"}}, column.name)
-                                                       : element("th", {}, column.name));
+            head << element("th", {{"class", column.kind == Column::Kind::sign ? "sign" : ""}}, column.name);
         }
         Markup body;
         for (const Row& r : table.rows) {

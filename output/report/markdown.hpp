@@ -8,8 +8,13 @@
 namespace aneurysm::report
 {
 
-/// All but pictures, whose captions stand for them. What a table says in sentences follows it as a list, so
-/// that its rows stay readable.
+/// All but pictures and plots, whose captions stand for them. What a table says in sentences follows it as a
+/// list, so that its rows stay readable.
 std::string markdown(const Document& document);
+
+/// The same for a terminal: words without marks, and tables without their sentences.
+std::string text(const Document& document);
+std::string text(const Table& table);
+std::string text(const Text& text);
 
 } // namespace aneurysm::report

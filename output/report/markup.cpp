@@ -44,7 +44,9 @@ Markup opening(std::string_view name, Attributes attributes, std::string_view en
     std::string tag = "<";
     tag += name;
     for (const auto& [key, value] : attributes) {
-        tag.append(" ").append(key).append("=\"").append(Markup(value).text()).append("\"");
+        if (!value.empty()) {
+            tag.append(" ").append(key).append("=\"").append(Markup(value).text()).append("\"");
+        }
     }
     return Markup::verbatim(tag.append(end));
 }

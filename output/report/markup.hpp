@@ -31,7 +31,8 @@ private:
 
 using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
 
-/// <name attributes>content</name>, or <name attributes/> for an empty one of SVG or JUnit.
+/// <name attributes>content</name>, or <name attributes/> for an empty one of SVG or JUnit. Attributes without a
+/// value are left out.
 template <class... Content>
 Markup element(std::string_view name, Attributes attributes, const Content&... content);
 Markup empty_element(std::string_view name, Attributes attributes);

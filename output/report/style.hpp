@@ -27,10 +27,9 @@ h1 { font-size: 1.7rem; margin: 1rem 0 0.5rem; }
 h2 { font-size: 1.35rem; margin: 2.5rem 0 0.75rem; padding-top: 0.75rem; border-top: 2px solid var(--line); }
 h3 { font-size: 1.12rem; margin: 2rem 0 0.5rem; }
 h4 { font-size: 1rem; margin: 2rem 0 0.3rem; border-top: 1px solid var(--line); padding-top: 0.5rem; }
-p, ul, dl { max-width: 48rem; margin: 0.4rem 0 0.8rem; }
+p, ul { max-width: 48rem; margin: 0.4rem 0 0.8rem; }
 a { color: var(--link); }
 code { font: 0.88em/1.4 ui-monospace, monospace; overflow-wrap: anywhere; }
-dt { font-weight: 600; margin-top: 0.6rem; } dd { margin-left: 1.2rem; }
 .weak { color: var(--weak); } .holds { color: var(--good); } .warn { color: var(--warn); }
 .fails { color: var(--bad); font-weight: 700; }
 .verdict { border: 2px solid currentColor; border-radius: 0.5rem; padding: 0.6rem 1rem; font-size: 1.25rem;

@@ -39,12 +39,10 @@ class Axis
 public:
     Axis(bool logarithmic, double from, double to) : log_(logarithmic), from_(from), to_(to) {}
 
-    void include(double x)
+    void include(double x) ///< that it shows
     {
-        if (shows(x)) {
-            low_ = std::min(low_, scaled(x));
-            high_ = std::max(high_, scaled(x));
-        }
+        low_ = std::min(low_, scaled(x));
+        high_ = std::max(high_, scaled(x));
     }
     /// After the last value: some air.
     void close()
@@ -61,36 +59,26 @@ public:
 
     bool shows(double x) const { return std::isfinite(x) && (!log_ || x > 0); }
     double place(double x) const { return from_ + (to_ - from_) * (scaled(x) - low_) / (high_ - low_); }
-    std::vector<double> ticks() const { return log_ && high_ - low_ > 1 ? decades() : steps(); }
+    /// Multiples of 1, 2 or 5 times a power of ten, four to nine of them; on a logarithmic axis of more than
+    /// a decade of exponents.
+    std::vector<double> ticks() const
+    {
+        const bool decades = log_ && high_ - low_ > 1;
+        const auto value = [&](double x) { return log_ && !decades ? std::pow(10, x) : x; };
+        const double rough = (value(high_) - value(low_)) / 8;
+        const double power = std::pow(10, std::floor(std::log10(rough)));
+        const double digit = rough / power;
+        const double fine = power * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
+        const double step = decades ? std::max(fine, 1.0) : fine;
+        std::vector<double> ticks;
+        for (double n = std::ceil(value(low_) / step); n * step <= value(high_); ++n) {
+            ticks.push_back(decades ? std::pow(10, n * step) : n * step);
+        }
+        return ticks;
+    }
 
 private:
     double scaled(double x) const { return log_ ? std::log10(x) : x; }
-
-    /// Powers of ten, at most nine of them.
-    std::vector<double> decades() const
-    {
-        const int every = static_cast<int>((high_ - low_) / 9) + 1;
-        std::vector<double> ticks;
-        for (int n = static_cast<int>(std::ceil(low_ / every)) * every; n <= high_; n += every) {
-            ticks.push_back(std::pow(10, n));
-        }
-        return ticks;
-    }
-    /// Multiples of 1, 2 or 5 times a power of ten, four to nine of them.
-    std::vector<double> steps() const
-    {
-        const double a = log_ ? std::pow(10, low_) : low_;
-        const double b = log_ ? std::pow(10, high_) : high_;
-        const double rough = (b - a) / 8;
-        const double power = std::pow(10, std::floor(std::log10(rough)));
-        const double digit = rough / power;
-        const double step = power * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
-        std::vector<double> ticks;
-        for (double n = std::ceil(a / step); n * step <= b; ++n) {
-            ticks.push_back(n * step);
-        }
-        return ticks;
-    }
 
     bool log_;
     double from_;
@@ -106,11 +94,16 @@ struct Axes {
     bool show(const Series& s, std::size_t k) const { return x.shows(s.x[k]) && y.shows(s.y[k]); }
 };
 
+std::size_t size(const Series& s)
+{
+    return std::min(s.x.size(), s.y.size());
+}
+
 Axes axes_of(const Plot& plot)
 {
     Axes axes{Axis(plot.log_x, left, right), Axis(plot.log_y, bottom, top)};
     for (const Series& s : plot.series) {
-        for (std::size_t k = 0; k < std::min(s.x.size(), s.y.size()); ++k) {
+        for (std::size_t k = 0; k < size(s); ++k) {
             if (axes.show(s, k)) {
                 axes.x.include(s.x[k]);
                 axes.y.include(s.y[k]);
@@ -128,9 +121,11 @@ Markup line(const char* style, double x_0, double y_0, double x_1, double y_1)
         "line", {{"class", style}, {"x1", px(x_0)}, {"y1", px(y_0)}, {"x2", px(x_1)}, {"y2", px(y_1)}});
 }
 
-Markup text(double x, double y, const char* anchor, const std::string& content)
+Markup text(double x, double y, const char* anchor, const std::string& content,
+            const std::string& transform = "")
 {
-    return element("text", {{"x", px(x)}, {"y", px(y)}, {"text-anchor", anchor}}, content);
+    return element("text", {{"x", px(x)}, {"y", px(y)}, {"text-anchor", anchor}, {"transform", transform}},
+                   content);
 }
 
 Markup frame(const Plot& plot, const Axes& axes)
@@ -144,15 +139,10 @@ Markup frame(const Plot& plot, const Axes& axes)
         const double at = axes.y.place(y);
         result << line("grid", left, at, right, at) << text(left - 8, at + 4, "end", label(y));
     }
-    const std::string middle = px((top + bottom) / 2);
+    constexpr double middle = (top + bottom) / 2;
     return result << line("axis", left, bottom, right, bottom) << line("axis", left, top, left, bottom)
                   << text((left + right) / 2, bottom + 40, "middle", plot.x_label)
-                  << element("text",
-                             {{"x", "14"},
-                              {"y", middle},
-                              {"text-anchor", "middle"},
-                              {"transform", "rotate(-90 14 " + middle + ")"}},
-                             plot.y_label);
+                  << text(14, middle, "middle", plot.y_label, "rotate(-90 14 " + px(middle) + ")");
 }
 
 /// Circle, square, diamond, triangle, cross, plus.
@@ -168,43 +158,34 @@ Markup marker(std::size_t style, double x, double y)
                                   {"d", "M" + px(x - 3.5) + " " + px(y) + shapes.at(style)}});
 }
 
-Markup curve(const Series& s, std::size_t style, const Axes& axes)
+Markup curve(std::size_t style, const std::string& path)
 {
+    return empty_element("path", {{"class", "curve s" + std::to_string(style)}, {"d", path}});
+}
+
+/// A curve or points, and in the legend what they are.
+Markup series(const Series& s, std::size_t style, double legend_y, const Axes& axes)
+{
+    Markup points;
     std::string path;
     bool pen_down = false;
-    for (std::size_t k = 0; k < std::min(s.x.size(), s.y.size()); ++k) {
-        if (axes.show(s, k)) {
-            path += (pen_down ? "L" : "M") + px(axes.x.place(s.x[k])) + " " + px(axes.y.place(s.y[k]));
-        }
-        pen_down = axes.show(s, k);
-    }
-    return path.empty() ? Markup()
-                        : empty_element("path", {{"class", "curve s" + std::to_string(style)}, {"d", path}});
-}
-
-Markup points(const Series& s, std::size_t style, const Axes& axes)
-{
-    Markup result;
-    for (std::size_t k = 0; k < std::min(s.x.size(), s.y.size()); ++k) {
-        if (axes.show(s, k)) {
-            result << marker(style, axes.x.place(s.x[k]), axes.y.place(s.y[k]));
-        }
-    }
-    return result;
-}
-
-Markup legend(const Series& s, std::size_t style, double y, const Axes& axes)
-{
     std::size_t hidden = 0;
-    for (std::size_t k = 0; k < std::min(s.x.size(), s.y.size()); ++k) {
-        hidden += axes.show(s, k) ? 0 : 1;
+    for (std::size_t k = 0; k < size(s); ++k) {
+        const bool shown = axes.show(s, k);
+        if (shown) {
+            const double x = axes.x.place(s.x[k]);
+            const double y = axes.y.place(s.y[k]);
+            points << marker(style, x, y);
+            path += (pen_down ? "L" : "M") + px(x) + " " + px(y);
+        }
+        hidden += shown ? 0 : 1;
+        pen_down = shown;
     }
+    Markup result = s.line ? curve(style, path) << curve(style, "M" + px(left) + " " + px(legend_y) + "h28")
+                           : points << marker(style, left + 14, legend_y);
     const std::string remark =
         hidden > 0 ? " (" + std::to_string(hidden) + " points have no place here)" : "";
-    const Markup sample = s.line ? empty_element("path", {{"class", "curve s" + std::to_string(style)},
-                                                          {"d", "M" + px(left) + " " + px(y) + "h28"}})
-                                 : marker(style, left + 14, y);
-    return Markup() << sample << text(left + 38, y + 4, "start", s.name + remark);
+    return result << text(left + 38, legend_y + 4, "start", s.name + remark);
 }
 
 } // namespace
@@ -215,9 +196,7 @@ Markup svg(const Plot& plot)
     Markup content = frame(plot, axes);
     double y = legend_top;
     for (std::size_t k = 0; k < plot.series.size(); ++k) {
-        const Series& s = plot.series[k];
-        const std::size_t style = k % styles;
-        content << (s.line ? curve(s, style, axes) : points(s, style, axes)) << legend(s, style, y, axes);
+        content << series(plot.series[k], k % styles, y, axes);
         y += legend_line;
     }
     return element(

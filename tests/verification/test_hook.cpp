@@ -35,6 +35,14 @@ public:
     Plant& operator=(Plant&&) = delete;
 };
 
+/// What a formula of the reference goes on with in place of x.
+template <class T>
+T with(Place place, Kind kind, double size, T x)
+{
+    const Plant plant(place, kind, size);
+    return in_reference(place, x);
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(without_a_mutant_nothing_changes)
@@ -47,56 +55,27 @@ BOOST_AUTO_TEST_CASE(without_a_mutant_nothing_changes)
     BOOST_TEST(in_device(eq22_radius, 0.4) == 0.6, boost::test_tools::tolerance(1e-15));
 }
 
-BOOST_AUTO_TEST_CASE(coefficient)
+BOOST_AUTO_TEST_CASE(a_number_is_changed_as_its_kind_says)
 {
-    const Plant plant(eq22_radius, Kind::coefficient, 0.25);
-    BOOST_TEST(in_reference(eq22_radius, 0.4) == 0.5);
-    BOOST_TEST(in_reference(eq22_radius, -4.0F) == -5.0F);
-    BOOST_TEST((in_reference(eq22_radius, Vec3{4, 8, -12}) == Vec3{5, 10, -15}));
+    BOOST_TEST(with(eq22_radius, Kind::coefficient, 0.25, 0.4) == 0.5);
+    BOOST_TEST(with(eq22_radius, Kind::coefficient, 0.25, -4.0F) == -5.0F);
+    BOOST_TEST(with(eq22_radius, Kind::sign, 0, 0.4) == -0.4);
+    BOOST_TEST(with(eq22_radius, Kind::power, 1, 3.0) == 9);
+    BOOST_TEST(with(eq22_radius, Kind::power, 1, -3.0F) == -9);
+    BOOST_TEST(with(eq22_radius, Kind::dropped, 0, 0.4) == 1);     // a factor
+    BOOST_TEST(with(eq22_thinning, Kind::dropped, 0, 0.4) == 0);   // a term
+    BOOST_TEST(with(eq22_thinning, Kind::off_by_one, 0, 10) == 9); // a count
 }
 
-BOOST_AUTO_TEST_CASE(sign)
+BOOST_AUTO_TEST_CASE(so_are_vectors_and_conditions)
 {
-    const Plant plant(eq22_radius, Kind::sign);
-    BOOST_TEST(in_reference(eq22_radius, 0.4) == -0.4);
-    BOOST_TEST((in_reference(eq22_radius, Vec3{1, 0, -2}) == Vec3{-1, 0, 2}));
-}
-
-BOOST_AUTO_TEST_CASE(power)
-{
-    const Plant plant(eq22_radius, Kind::power, 1);
-    BOOST_TEST(in_reference(eq22_radius, 3.0) == 9);
-    BOOST_TEST(in_reference(eq22_radius, -3.0F) == -9);
-}
-
-BOOST_AUTO_TEST_CASE(power_of_a_vector_is_the_wrong_index)
-{
-    const Plant plant(eq14_velocity, Kind::power, 1);
-    BOOST_TEST((in_reference(eq14_velocity, Vec3{1, 2, 3}) == Vec3{3, 1, 2}));
-}
-
-BOOST_AUTO_TEST_CASE(dropped_is_what_the_part_can_do_without)
-{
-    {
-        const Plant plant(eq22_radius, Kind::dropped); // a factor
-        BOOST_TEST(in_reference(eq22_radius, 0.4) == 1);
+    BOOST_TEST((with(eq22_radius, Kind::coefficient, 0.25, Vec3{4, 8, -12}) == Vec3{5, 10, -15}));
+    BOOST_TEST((with(eq22_radius, Kind::sign, 0, Vec3{1, 0, -2}) == Vec3{-1, 0, 2}));
+    BOOST_TEST((with(eq14_velocity, Kind::power, 1, Vec3{1, 2, 3}) == Vec3{3, 1, 2})); // the wrong index
+    for (const bool holds : {false, true}) {
+        BOOST_TEST(with(fig1_outwards, Kind::dropped, 0, holds)); // always
+        BOOST_TEST(with(fig1_outwards, Kind::sign, 0, holds) == !holds);
     }
-    {
-        const Plant plant(eq22_thinning, Kind::dropped); // a term
-        BOOST_TEST(in_reference(eq22_thinning, 0.4) == 0);
-    }
-    {
-        const Plant plant(fig1_outwards, Kind::dropped); // a condition
-        BOOST_TEST(in_reference(fig1_outwards, false));
-        BOOST_TEST(in_reference(fig1_outwards, true));
-    }
-}
-
-BOOST_AUTO_TEST_CASE(sign_of_a_condition_is_its_opposite)
-{
-    const Plant plant(fig1_outwards, Kind::sign);
-    BOOST_TEST(in_reference(fig1_outwards, false));
-    BOOST_TEST(!in_reference(fig1_outwards, true));
 }
 
 BOOST_AUTO_TEST_CASE(off_by_one_is_the_value_before)
@@ -107,7 +86,6 @@ BOOST_AUTO_TEST_CASE(off_by_one_is_the_value_before)
     BOOST_TEST(in_reference(eq22_thinning, 3.0) == 2);
     BOOST_TEST((in_reference(eq22_thinning, Vec3{1, 2, 3}) == Vec3{1, 2, 3}));
     BOOST_TEST((in_reference(eq22_thinning, Vec3{4, 5, 6}) == Vec3{1, 2, 3}));
-    BOOST_TEST(in_reference(eq22_thinning, 10) == 9); // a count
 }
 
 BOOST_AUTO_TEST_CASE(off_by_one_of_lanes_is_the_neighbor_before)

@@ -79,15 +79,6 @@ suite::SuiteResult suite_of(const std::vector<suite::Check>& checks,
     return suite::run_suite(suite::select(checks, true, {}), std::move(subjects), threads);
 }
 
-std::vector<suite::SuiteSubject> reference_and_missing()
-{
-    std::vector<suite::SuiteSubject> subjects(2);
-    subjects[0].subject = suite::once();
-    subjects[1].subject.choice = {Backend::cuda, Precision::float_, 1, 0};
-    subjects[1].missing = "no GPU: none";
-    return subjects;
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_quantity_accepts_its_bound_and_nothing_beyond)
@@ -149,38 +140,38 @@ BOOST_AUTO_TEST_CASE(a_quantity_needs_a_derivation)
 
 BOOST_AUTO_TEST_CASE(verdicts)
 {
-    BOOST_TEST((outcome(compares(1)).verdict == suite::Verdict::holds));
-    const suite::CheckResult failing = outcome(compares(2));
-    BOOST_TEST((failing.verdict == suite::Verdict::fails));
-    BOOST_TEST(failing.message == "not within its bound: x");
-
-    const suite::CheckResult throwing = outcome([](suite::Probe& probe) {
-        compares(1)(probe);
-        throw SimulationError("frame 3", "NaN", "look at it");
-    });
-    BOOST_TEST((throwing.verdict == suite::Verdict::fails));
-    BOOST_TEST(throwing.message == "stopped: frame 3: NaN; look at it");
-    BOOST_TEST(throwing.quantities.size() == 1); // what there was stays
-    BOOST_TEST((outcome([](suite::Probe&) { throw 1; }).verdict == suite::Verdict::fails));
-
-    const suite::CheckResult empty = outcome([](suite::Probe&) {});
-    BOOST_TEST((empty.verdict == suite::Verdict::fails));
-    BOOST_TEST(empty.message == "nothing compared");
-    const suite::CheckResult idle = outcome([](suite::Probe& probe) {
+    using suite::Verdict;
+    const auto idle = [](suite::Probe& probe) {
         compares(1)(probe);
         probe.quantity("y", suite::Source::exact, "what the test says");
-    });
-    BOOST_TEST((idle.verdict == suite::Verdict::fails));
-    BOOST_TEST(idle.message == "nothing compared: y");
-
-    const suite::CheckResult not_run = outcome([](suite::Probe& probe) { probe.not_run("no such data"); });
-    BOOST_TEST((not_run.verdict == suite::Verdict::not_run));
-    BOOST_TEST(not_run.message == "no such data");
-    const suite::CheckResult excused = outcome([](suite::Probe& probe) {
+    };
+    const auto throwing = [](suite::Probe& probe) {
+        compares(1)(probe);
+        throw SimulationError("frame 3", "NaN", "look at it");
+    };
+    const auto excused = [](suite::Probe& probe) { probe.not_run("no such data"); };
+    const auto no_excuse = [](suite::Probe& probe) {
         compares(2)(probe);
         probe.not_run("it fails");
-    });
-    BOOST_TEST((excused.verdict == suite::Verdict::fails)); // no excuse
+    };
+    struct Case {
+        std::function<void(suite::Probe&)> run;
+        Verdict verdict;
+        const char* message;
+    };
+    for (const auto& [run, verdict, message] :
+         {Case{compares(1), Verdict::holds, ""}, Case{compares(2), Verdict::fails, "not within its bound: x"},
+          Case{throwing, Verdict::fails, "stopped: frame 3: NaN; look at it"},
+          Case{[](suite::Probe&) { throw 1; }, Verdict::fails,
+               "stopped: something that is no std::exception"},
+          Case{[](suite::Probe&) {}, Verdict::fails, "nothing compared"},
+          Case{idle, Verdict::fails, "nothing compared: y"}, Case{excused, Verdict::not_run, "no such data"},
+          Case{no_excuse, Verdict::fails, "not within its bound: x"}}) {
+        const suite::CheckResult result = outcome(run);
+        BOOST_TEST((result.verdict == verdict), message);
+        BOOST_TEST(result.message == message);
+    }
+    BOOST_TEST(outcome(throwing).quantities.size() == 1); // what there was stays
 }
 
 BOOST_AUTO_TEST_CASE(the_first_failure_ends_a_check_where_that_is_asked_for)
@@ -252,9 +243,10 @@ BOOST_AUTO_TEST_CASE(every_subject_has_its_turn_in_a_fixed_order)
 
 BOOST_AUTO_TEST_CASE(a_missing_subject_is_not_run_and_says_why)
 {
+    const suite::SuiteSubject missing{{{Backend::cuda, Precision::float_, 1, 0}}, "", "no GPU: none"};
     const suite::SuiteResult suite = suite_of(
         {check_of("flows", compares(1)), check_of("equations", compares(1), suite::Scope::equations)},
-        reference_and_missing());
+        {{suite::once(), "", ""}, missing});
     BOOST_TEST(suite.results.size() == 3);
     BOOST_TEST(suite.results[1].subject == "cuda float");
     BOOST_TEST((suite.results[1].verdict == suite::Verdict::not_run));
@@ -262,30 +254,17 @@ BOOST_AUTO_TEST_CASE(a_missing_subject_is_not_run_and_says_why)
     BOOST_TEST(suite.complete);
 }
 
-BOOST_AUTO_TEST_CASE(a_failing_check_leaves_the_others_alone)
-{
-    const suite::SuiteResult suite =
-        suite_of({check_of("throws", [](suite::Probe&) { throw std::runtime_error("no"); }),
-                  check_of("holds", compares(1)), check_of("fails", compares(0))},
-                 {{suite::once(), "", ""}});
-    BOOST_TEST((suite.results[0].verdict == suite::Verdict::fails));
-    BOOST_TEST((suite.results[1].verdict == suite::Verdict::holds));
-    BOOST_TEST((suite.results[2].verdict == suite::Verdict::fails));
-}
-
 BOOST_AUTO_TEST_CASE(an_interrupted_suite_keeps_what_there_is)
 {
     const InterruptWatch watch;
     std::atomic<int> shown = 0;
-    const std::vector<suite::Check> checks{check_of("done", compares(1)),
-                                           check_of("interrupted",
-                                                    [](suite::Probe& probe) {
-                                                        probe.quantity("x", suite::Source::exact,
-                                                                       "what the test says");
-                                                        std::raise(SIGINT);
-                                                        throw Interrupted();
-                                                    }),
-                                           check_of("later", compares(1))};
+    const auto interrupted = [](suite::Probe& probe) {
+        probe.quantity("x", suite::Source::exact, "what the test says");
+        std::raise(SIGINT);
+        throw Interrupted();
+    };
+    const std::vector<suite::Check> checks{
+        check_of("done", compares(1)), check_of("interrupted", interrupted), check_of("later", compares(1))};
     const suite::SuiteResult suite =
         suite::run_suite(suite::select(checks, true, {}), {{suite::once(), "", ""}}, 1,
                          [&](std::int64_t, std::int64_t, const std::string&) { ++shown; });

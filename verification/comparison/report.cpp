@@ -4,8 +4,8 @@
 #include "output/columns.hpp"
 #include "output/json.hpp"
 #include "output/provenance.hpp"
+#include "output/report/markdown.hpp"
 #include "output/report/numbers.hpp"
-#include "output/report/text.hpp"
 
 #include <sstream>
 

@@ -86,30 +86,19 @@ template <Several T>
 // NOLINTNEXTLINE(bugprone-sizeof-expression): a vector of numbers, not a pointer
 inline constexpr std::size_t size_of = sizeof(T::v) / sizeof(std::declval<T>().v[0]);
 
-template <std::floating_point T>
-T scaled(T x, double by)
-{
-    return static_cast<T>(static_cast<double>(x) * by);
-}
-template <std::floating_point T>
-T with_power(T x, double exponent)
-{
-    const auto wide = static_cast<double>(x);
-    return static_cast<T>(std::copysign(std::pow(std::abs(wide), exponent), wide));
-}
-
 /// A number changed as `mutant` says, but for the value before.
 template <std::floating_point T>
 T changed(const Mutant& mutant, T x)
 {
     const Part part = places[mutant.place].part;
+    const auto wide = static_cast<double>(x);
     switch (mutant.kind) {
     case Kind::coefficient:
-        return part == Part::nought ? static_cast<T>(mutant.size) : scaled(x, 1 + mutant.size);
+        return static_cast<T>(part == Part::nought ? mutant.size : wide * (1 + mutant.size));
     case Kind::sign:
         return -x;
     case Kind::power:
-        return with_power(x, 1 + mutant.size);
+        return static_cast<T>(std::copysign(std::pow(std::abs(wide), 1 + mutant.size), wide));
     case Kind::dropped:
         return part == Part::factor ? T(1) : T(0);
     case Kind::off_by_one:

@@ -3,9 +3,8 @@
 
 #include "common/equations.hpp"
 #include "output/build_info.hpp"
+#include "output/report/markdown.hpp"
 #include "output/report/numbers.hpp"
-#include "output/report/text.hpp"
-#include "verification/suite/summary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,50 +25,17 @@ using report::Row;
 using report::Table;
 using report::Text;
 
-/// Mutants by equation, in the paper's order, with the names of their tallies.
-std::vector<std::pair<MutantTally, std::string>> by_equation(const SensitivityStudy& study)
+/// The same mutant in both backends, by Side; null: not in this one.
+using Pair = std::array<const MutantRow*, 2>;
+
+std::map<std::pair<Place, Kind>, Pair> pairs_of(const SensitivityStudy& study, const std::string& equation)
 {
-    std::map<std::string, MutantTally> by_id;
+    std::map<std::pair<Place, Kind>, Pair> pairs;
     for (const MutantRow& row : study.rows) {
-        by_id[equation_of(row.mutant.place)].add(row);
-    }
-    std::vector<std::pair<MutantTally, std::string>> result;
-    const auto take = [&](const std::string& id, const std::string& name, std::string_view title) {
-        if (const auto found = by_id.find(id); found != by_id.end()) {
-            MutantTally tally = found->second;
-            tally.equation = name;
-            tally.title = title;
-            result.emplace_back(tally, id);
+        const auto& [place, side, kind, size] = row.mutant;
+        if (equation_of(place) == equation) {
+            pairs[{place, kind}].at(static_cast<std::size_t>(side)) = &row;
         }
-    };
-    for (const Equation& equation : equations) {
-        take(std::string(equation.id), suite::number_of(equation), equation.title);
-    }
-    take("Fig. 1", "Fig. 1", "collision with the wall");
-    take("3.4", "3.4", "particle controller");
-    return result;
-}
-
-/// A mutant in both backends.
-struct Pair {
-    const MutantRow* reference = nullptr;
-    const MutantRow* device = nullptr;
-
-    const MutantRow& any() const { return reference != nullptr ? *reference : *device; }
-};
-
-std::vector<Pair> pairs_of(const SensitivityStudy& study, const std::string& equation)
-{
-    std::vector<Pair> pairs;
-    for (const MutantRow& row : study.rows) {
-        if (equation_of(row.mutant.place) != equation) {
-            continue;
-        }
-        const auto same = std::ranges::find_if(pairs, [&](const Pair& p) {
-            return p.any().mutant.place == row.mutant.place && p.any().mutant.kind == row.mutant.kind;
-        });
-        Pair& pair = same == pairs.end() ? pairs.emplace_back() : *same;
-        (row.mutant.side == Side::reference ? pair.reference : pair.device) = &row;
     }
     return pairs;
 }
@@ -77,20 +43,6 @@ std::vector<Pair> pairs_of(const SensitivityStudy& study, const std::string& equ
 Cell cell_of(const MutantRow* row, std::size_t check)
 {
     return row == nullptr || row->cells.empty() ? Cell::unreached : row->cells[check];
-}
-
-/// Checks that any of these mutants was tried with.
-std::vector<std::size_t> columns_of(const SensitivityStudy& study, const std::vector<Pair>& pairs)
-{
-    std::vector<std::size_t> columns;
-    for (std::size_t k = 0; k < study.checks.size(); ++k) {
-        if (std::ranges::any_of(pairs, [&](const Pair& p) {
-                return std::max(cell_of(p.reference, k), cell_of(p.device, k)) >= Cell::green;
-            })) {
-            columns.push_back(k);
-        }
-    }
-    return columns;
 }
 
 Text found_cell(const MutantRow* row)
@@ -101,22 +53,32 @@ Text found_cell(const MutantRow* row)
                                    : Text("argued", Look::warn);
 }
 
-Table matrix(const SensitivityStudy& study, const std::vector<Pair>& pairs)
+/// Its columns are the checks that any of these mutants was tried with.
+Table matrix(const SensitivityStudy& study, const std::string& equation)
 {
     static const std::array<Text, 4> signs{Text(" "), Text("·", Look::weak), Text("○", Look::weak),
                                            Text("✗", Look::strong)}; // by Cell
-    const auto sign = [](Cell cell) { return signs.at(static_cast<std::size_t>(cell)); };
-    const std::vector<std::size_t> columns = columns_of(study, pairs);
     Table table{{"mutant", "reference", "cpu"}};
-    for (const std::size_t k : columns) {
-        table.columns.emplace_back(study.checks[k]->id, Column::Kind::sign);
+    const auto pairs = pairs_of(study, equation);
+    for (const auto& [what, pair] : pairs) {
+        const auto& [place, kind] = what;
+        table.rows.push_back(
+            {words_of({.place = place, .kind = kind}), found_cell(pair[0]), found_cell(pair[1])});
     }
-    for (const Pair& pair : pairs) {
-        Row row{words_of(pair.any().mutant), found_cell(pair.reference), found_cell(pair.device)};
-        for (const std::size_t k : columns) {
-            row.push_back(sign(cell_of(pair.reference, k)) + " " + sign(cell_of(pair.device, k)));
+    for (std::size_t k = 0; k < study.checks.size(); ++k) {
+        if (std::ranges::all_of(pairs, [&](const auto& p) {
+                return std::max(cell_of(p.second[0], k), cell_of(p.second[1], k)) < Cell::green;
+            })) {
+            continue;
         }
-        table.rows.push_back(std::move(row));
+        table.columns.emplace_back(study.checks[k]->id, Column::Kind::sign);
+        auto row = table.rows.begin();
+        for (const auto& [what, pair] : pairs) {
+            const auto sign = [&](const MutantRow* r) {
+                return signs.at(static_cast<std::size_t>(cell_of(r, k)));
+            };
+            (row++)->push_back(sign(pair[0]) + " " + sign(pair[1]));
+        }
     }
     return table;
 }
@@ -130,8 +92,11 @@ void add_matrices(Document& document, const SensitivityStudy& study)
                "reference, then cpu. ✗: the fault turned the check red, as it should. ○: the check stayed "
                "green. ·: not tried, since others had found it. Empty: the check doesn't compute with that "
                "place.");
-    for (const auto& [t, id] : by_equation(study)) {
-        document << Heading{3, t.equation + " " + t.title, "eq" + id} << matrix(study, pairs_of(study, id));
+    for (const MutantTally& t : tallies(study)) {
+        if (!t.id.empty()) {
+            document << Heading{3, t.equation + " " + std::string(t.title), "eq" + t.id}
+                     << matrix(study, t.id);
+        }
     }
 }
 
@@ -147,13 +112,12 @@ void add_tallies(Document& document, const SensitivityStudy& study)
 }
 
 /// "1.1e-15 (eq13_radius)"
-std::string smallest_of(const Sight* sight)
+std::string smallest_of(const Sight& sight)
 {
-    return sight == nullptr ? "-"
-           : sight->smallest > 0
-               ? report::shown(sight->smallest) + " (" + std::string(places.at(sight->place).name) + ")"
-           : sight->sees ? "none of its own"
-                         : "blind";
+    return sight.smallest > 0
+               ? report::shown(sight.smallest) + " (" + std::string(places.at(sight.place).name) + ")"
+           : sight.sees ? "none of its own"
+                        : "blind";
 }
 
 void add_sights(Document& document, const SensitivityStudy& study)
@@ -167,7 +131,7 @@ void add_sights(Document& document, const SensitivityStudy& study)
         if (previous == nullptr || previous->check != sight.check) {
             table.rows.push_back({sight.check->id, "-", "-", sight.check->title});
         }
-        table.rows.back().at(sight.side == Side::reference ? 1 : 2) = smallest_of(&sight);
+        table.rows.back().at(sight.side == Side::reference ? 1 : 2) = smallest_of(sight);
         previous = &sight;
     }
     document
@@ -178,43 +142,54 @@ void add_sights(Document& document, const SensitivityStudy& study)
         << table;
 }
 
-using Reasons = std::vector<std::pair<Text, Text>>;
-
-Text reason(std::string_view why)
+Text reason(const std::string& what, std::string_view why)
 {
-    return why.empty() ? Text("UNEXPLAINED", Look::fails) : Text(why);
+    return Text(what, Look::strong) + ": " + (why.empty() ? Text("UNEXPLAINED", Look::fails) : Text(why));
+}
+
+/// Whether it computes with a backend, or only with oracles.
+bool computes(const SensitivityStudy& study, const suite::Check* check)
+{
+    return std::ranges::any_of(study.baseline, [&](const BaselineCase& c) {
+        return c.what.check == check && (c.result.verdict != suite::Verdict::holds ||
+                                         c.result.reached[0].any() || c.result.reached[1].any());
+    });
 }
 
 /// What needs a reader's attention.
 void add_remarks(Document& document, const SensitivityStudy& study)
 {
-    Reasons left_out;
-    for (const Unusable& u : unusable(study)) {
-        left_out.emplace_back(u.cases, reason(u.why));
+    report::List left_out;
+    for (const auto& [cases, why] : unusable(study)) {
+        left_out.items.push_back(reason(cases, why));
     }
-    Reasons alive;
-    for (const MutantRow* r : survivors(study)) {
-        alive.emplace_back(name_of(r->mutant) + " (" + words_of(r->mutant) + ")", reason(r->argument));
+    report::List alive;
+    for (const MutantRow& row : study.rows) {
+        if (row.survives()) {
+            alive.items.push_back(
+                reason(name_of(row.mutant) + " (" + words_of(row.mutant) + ")", row.argument));
+        }
     }
-    Reasons unmoved;
-    for (const Sight* s : blind(study)) {
-        unmoved.emplace_back(std::string(s->check->id) + ", " + name_of(s->side), reason(s->argument));
-    }
-    for (const auto& [title, items] : {std::pair{"Left out: red, or not run, without any fault", &left_out},
-                                       {"Faults that no check finds", &alive},
-                                       {"Checks that no fault turns red", &unmoved}}) {
-        if (!items->empty()) {
-            document << Heading{2, title} << report::Definitions{*items};
+    report::List unmoved;
+    for (const Sight& s : study.sights) {
+        if (!s.sees) {
+            unmoved.items.push_back(reason(std::string(s.check->id) + ", " + name_of(s.side), s.argument));
         }
     }
     report::List oracles;
-    for (const suite::Check* check : without_backend(study)) {
-        oracles.items.emplace_back(check->id);
+    for (const suite::Check* check : study.checks) {
+        if (!computes(study, check)) {
+            oracles.items.emplace_back(check->id);
+        }
     }
-    if (!oracles.items.empty()) {
-        document << Heading{2,
-                            "Checks of the oracles alone: there is nothing of a backend to plant a fault in"}
-                 << oracles;
+    for (const auto& [title, list] :
+         {std::pair{"Left out: red, or not run, without any fault", &left_out},
+          {"Faults that no check finds", &alive},
+          {"Checks that no fault turns red", &unmoved},
+          {"Checks of the oracles alone: there is nothing of a backend to plant a fault in", &oracles}}) {
+        if (!list->items.empty()) {
+            document << Heading{2, title} << *list;
+        }
     }
 }
 
@@ -251,77 +226,37 @@ Document summary(const SensitivityReport& report)
 
 } // namespace
 
-void MutantTally::add(const MutantRow& row)
-{
-    ++planted;
-    found += row.survives() ? 0 : 1;
-    argued += row.survives() && !row.argument.empty() ? 1 : 0;
-}
-
 std::vector<MutantTally> tallies(const SensitivityStudy& study)
 {
-    std::vector<MutantTally> result;
-    for (const auto& [tally, id] : by_equation(study)) {
-        result.push_back(tally);
+    std::vector<MutantTally> all;
+    for (const Equation& e : equations) {
+        all.push_back({std::string(e.id), suite::number_of(e), e.title});
     }
-    MutantTally& all = result.emplace_back();
-    all.equation = "all";
-    std::ranges::for_each(study.rows, [&](const MutantRow& row) { all.add(row); });
-    return result;
-}
-
-std::vector<const MutantRow*> survivors(const SensitivityStudy& study)
-{
-    std::vector<const MutantRow*> rows;
-    for (const MutantRow& row : study.rows) {
-        if (row.survives()) {
-            rows.push_back(&row);
+    all.insert(all.end(), {{"Fig. 1", "Fig. 1", "collision with the wall"},
+                           {"3.4", "3.4", "particle controller"},
+                           {"", "all"}});
+    for (MutantTally& t : all) {
+        for (const MutantRow& row : study.rows) {
+            if (t.id.empty() || t.id == equation_of(row.mutant.place)) {
+                ++t.planted;
+                t.found += row.survives() ? 0 : 1;
+                t.argued += row.survives() && !row.argument.empty() ? 1 : 0;
+            }
         }
     }
-    return rows;
-}
-
-std::vector<const Sight*> blind(const SensitivityStudy& study)
-{
-    std::vector<const Sight*> all;
-    for (const Sight& sight : study.sights) {
-        if (!sight.sees) {
-            all.push_back(&sight);
-        }
-    }
+    std::erase_if(all, [](const MutantTally& t) { return t.planted == 0 && !t.id.empty(); });
     return all;
 }
 
-std::vector<Unusable> unusable(const SensitivityStudy& study)
+std::vector<suite::Reason> unusable(const SensitivityStudy& study)
 {
-    std::vector<Unusable> all;
+    std::vector<suite::Reason> all;
     for (const BaselineCase& c : study.baseline) {
-        if (c.result.verdict == suite::Verdict::holds) {
-            continue;
-        }
-        const auto known = std::ranges::find(all, c.result.message, &Unusable::why);
-        if (known == all.end()) {
-            all.push_back({c.what.name(), c.result.message});
-        } else {
-            known->cases.append(", ").append(c.what.name());
+        if (c.result.verdict != suite::Verdict::holds) {
+            add(all, c.what.name(), c.result.message);
         }
     }
     return all;
-}
-
-std::vector<const suite::Check*> without_backend(const SensitivityStudy& study)
-{
-    std::vector<const suite::Check*> checks;
-    for (const suite::Check* check : study.checks) {
-        const bool computes = std::ranges::any_of(study.baseline, [&](const BaselineCase& c) {
-            return c.what.check == check && (c.result.verdict != suite::Verdict::holds ||
-                                             c.result.reached[0].any() || c.result.reached[1].any());
-        });
-        if (!computes) {
-            checks.push_back(check);
-        }
-    }
-    return checks;
 }
 
 std::string verdict_of(const SensitivityStudy& study)

@@ -4,6 +4,7 @@
 
 #include "output/report/document.hpp"
 #include "verification/sensitivity/sensitivity.hpp"
+#include "verification/suite/summary.hpp"
 
 #include <string>
 #include <vector>
@@ -23,29 +24,20 @@ struct SensitivityReport {
 
 /// Mutants of one equation, or of all.
 struct MutantTally {
-    std::string equation{}; ///< "(13)", "EOS", "Fig. 1", "3.4" or "all"
-    std::string title{};
+    std::string id;       ///< as equation_of has it; empty: all
+    std::string equation; ///< "(13)", "EOS", "Fig. 1", "3.4" or "all"
+    std::string_view title{};
     int planted = 0;
     int found = 0;
     int argued = 0;
 
     int unexplained() const { return planted - found - argued; }
-    void add(const MutantRow& row);
 };
 /// By equation, in the paper's order, and all in the last.
 std::vector<MutantTally> tallies(const SensitivityStudy& study);
 
-std::vector<const MutantRow*> survivors(const SensitivityStudy& study);
-/// Checks that no mutant turned red.
-std::vector<const Sight*> blind(const SensitivityStudy& study);
-/// Cases that are red or can't be run without any mutant, those with the same reason together.
-struct Unusable {
-    std::string cases{}; ///< by commas
-    std::string why{};
-};
-std::vector<Unusable> unusable(const SensitivityStudy& study);
-/// Checks that compute with no backend, only with oracles.
-std::vector<const suite::Check*> without_backend(const SensitivityStudy& study);
+/// Cases that are red or can't be run without any mutant.
+std::vector<suite::Reason> unusable(const SensitivityStudy& study);
 
 /// "PASS" and what was found, in a sentence.
 std::string verdict_of(const SensitivityStudy& study);

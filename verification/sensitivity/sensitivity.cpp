@@ -278,24 +278,6 @@ private:
     const AfterStep& after_step_;
 };
 
-std::vector<BaselineCase> cases_of(const std::vector<const suite::Check*>& checks,
-                                   const std::vector<suite::SuiteSubject>& subjects)
-{
-    std::vector<BaselineCase> cases;
-    for (const suite::Check* check : checks) {
-        if (check->scope == suite::Scope::once) {
-            cases.push_back({{check, &suite::once()}});
-            continue;
-        }
-        for (const suite::SuiteSubject& s : subjects) {
-            if (suite::looks_at(*check, s.subject)) {
-                cases.push_back({{check, &s.subject}});
-            }
-        }
-    }
-    return cases;
-}
-
 } // namespace
 
 SensitivityStudy run_study(const std::vector<const suite::Check*>& checks,
@@ -304,7 +286,11 @@ SensitivityStudy run_study(const std::vector<const suite::Check*>& checks,
 {
     const auto start = std::chrono::steady_clock::now();
     SensitivityStudy study{.checks = checks, .subjects = std::move(subjects)};
-    study.baseline = cases_of(checks, study.subjects);
+    for (const suite::Check* check : checks) {
+        for (const suite::SuiteSubject* s : suite::subjects_of(*check, study.subjects)) {
+            study.baseline.push_back({{check, &s->subject}});
+        }
+    }
     for (const Mutant& mutant : options.mutants) {
         study.rows.push_back({mutant});
     }

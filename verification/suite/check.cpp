@@ -124,22 +124,22 @@ std::unique_ptr<Simulation> Probe::simulate(const Scenario& scenario,
 
 Quantity& Probe::quantity(std::string name, Source source, std::string derivation)
 {
-    return quantities_.emplace_back(std::move(name), source, std::move(derivation));
+    return result_->quantities.emplace_back(std::move(name), source, std::move(derivation));
 }
 
 void Probe::note(std::string name, double value, std::string remark)
 {
-    notes_.push_back({std::move(name), value, std::move(remark)});
+    result_->notes.push_back({std::move(name), value, std::move(remark)});
 }
 
 void Probe::plot(Plot plot)
 {
-    plots_.push_back(std::move(plot));
+    result_->plots.push_back(std::move(plot));
 }
 
 void Probe::not_run(std::string reason)
 {
-    reason_ = std::move(reason);
+    result_->message = std::move(reason);
 }
 
 } // namespace aneurysm::suite

@@ -136,11 +136,32 @@ struct Subject {
     std::string name() const;
 };
 
-/// What a check gets to do its work with, and leaves its findings in.
+enum class Verdict {
+    holds,   ///< something was compared, and all of it lies within its bounds
+    fails,   ///< something doesn't, nothing was compared, or the check threw
+    not_run, ///< the message says why
+};
+
+struct Check;
+
+/// What came of one check for one subject.
+struct CheckResult {
+    const Check* check = nullptr;
+    std::string subject; ///< Subject::name, or "once"
+    Verdict verdict = Verdict::not_run;
+    std::string message{}; ///< why it fails or was not run; empty when it holds
+    std::deque<Quantity> quantities{};
+    std::vector<Note> notes{};
+    std::vector<Plot> plots{};
+    double seconds = 0;
+};
+
+/// What a check gets to do its work with.
 class Probe
 {
 public:
-    explicit Probe(const Subject& subject) : subject_(&subject) {}
+    /// \param result  where the check's findings go
+    Probe(const Subject& subject, CheckResult& result) : subject_(&subject), result_(&result) {}
 
     const Subject& subject() const { return *subject_; }
     const backends::Equations& equations() const { return *subject_->equations; }
@@ -152,24 +173,16 @@ public:
     std::unique_ptr<Simulation> simulate(const Scenario& scenario,
                                          std::optional<SimulationState> state = {}) const;
 
-    /// A new line of the ledger; it stays valid as long as the probe.
+    /// A new line of the ledger; it stays valid as long as the result.
     Quantity& quantity(std::string name, Source source, std::string derivation);
     void note(std::string name, double value, std::string remark = {});
     void plot(Plot plot);
     /// The check can't be done here; that is neither pass nor failure.
     void not_run(std::string reason);
 
-    const std::deque<Quantity>& quantities() const { return quantities_; }
-    const std::vector<Note>& notes() const { return notes_; }
-    const std::vector<Plot>& plots() const { return plots_; }
-    const std::string& reason_not_run() const { return reason_; }
-
 private:
     const Subject* subject_;
-    std::deque<Quantity> quantities_;
-    std::vector<Note> notes_;
-    std::vector<Plot> plots_;
-    std::string reason_;
+    CheckResult* result_;
 };
 
 /// Who a check is run for.

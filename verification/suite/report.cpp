@@ -3,12 +3,11 @@
 #include "verification/suite/report.hpp"
 
 #include "output/build_info.hpp"
+#include "output/report/markdown.hpp"
 #include "output/report/numbers.hpp"
-#include "output/report/text.hpp"
 #include "verification/suite/report_checks.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace aneurysm::suite
 {
@@ -28,33 +27,31 @@ using report::shown;
 using report::Table;
 using report::Text;
 
-constexpr std::array levels{Level::scalar,     Level::lattice,     Level::transient,
-                            Level::continuous, Level::metamorphic, Level::executors};
-
-std::string verdict_of(const SuiteResult& suite)
+/// In a word and in a sentence.
+struct Outcome {
+    const char* word;
+    const char* sentence;
+};
+Outcome outcome_of(const SuiteResult& suite)
 {
-    return !suite.complete           ? "INCOMPLETE"
-           : passed(suite)           ? "PASS"
-           : tally(suite).holds == 0 ? "NOTHING HOLDS"
-                                     : "FAIL";
+    return !suite.complete           ? Outcome{"INCOMPLETE", "Interrupted: this report is incomplete."}
+           : passed(suite)           ? Outcome{"PASS", "Everything that was checked holds."}
+           : tally(suite).holds == 0 ? Outcome{"NOTHING HOLDS", "Nothing holds."}
+                                     : Outcome{"FAIL", "Something fails."};
 }
 
-/// In a sentence, with which versions that is about.
+/// With which versions it is about.
 report::Verdict banner(const SuiteReport& report)
 {
     const SuiteResult& suite = report.suite;
-    const bool good = passed(suite);
-    const std::string text = !suite.complete           ? "Interrupted: this report is incomplete. "
-                             : good                    ? "Everything that was checked holds. "
-                             : tally(suite).holds == 0 ? "Nothing holds. "
-                                                       : "Something fails. ";
     std::string here;
     std::string missing;
     for (const SuiteSubject& s : suite.subjects) {
         std::string& list = s.missing.empty() ? here : missing;
         list.append(list.empty() ? "" : ", ").append(s.subject.name());
     }
-    return {{text + headline(report.equations) + ".", good ? Look::holds : Look::fails},
+    return {{std::string(outcome_of(suite).sentence) + " " + headline(report.equations) + ".",
+             passed(suite) ? Look::holds : Look::fails},
             "Checked: " + here + (missing.empty() ? "" : "; not checked: " + missing) + ". " +
                 report.selection + ". " + report.date + ", " + shown(suite.seconds) + " s on " +
                 report.machine + "."};
@@ -92,15 +89,14 @@ void add_failures(Document& document, const SuiteReport& report)
     Table table{{"level", "check", "quantity", number("found"), number("allowed"), number("found/allowed"),
                  "versions"}};
     for (const Failure& f : failures) {
-        Row row{"L" + std::to_string(static_cast<int>(f.where->check->level)), check_link(*f.where->check)};
-        if (f.quantity == nullptr) {
-            row.insert(row.end(), {Text(f.where->message), Text(), Text(), Text()});
-        } else {
+        Row row{
+            number_of(f.where->check->level), check_link(*f.where->check), f.what, "", "", "", f.subjects};
+        if (f.quantity != nullptr) {
             const Quantity::Worst& w = f.quantity->worst();
-            row.insert(row.end(), {Text(f.quantity->name()), Text(shown(w.error)), Text(shown(w.allowed)),
-                                   Text(shown(w.ratio), Look::fails)});
+            row[3] = shown(w.error);
+            row[4] = shown(w.allowed);
+            row[5] = Text(shown(w.ratio), Look::fails);
         }
-        row.push_back(report::joined(f.subjects, ", "));
         table.rows.push_back(std::move(row));
     }
     document << Heading{2, "What fails", "failures"}
@@ -123,15 +119,17 @@ void add_introduction(Document& document, const SuiteReport& report)
                "(Wu et al., Mathematics 2025, 13(15), 2439, doi 10.3390/math13152439): 28 numbered equations and "
                "an equation of state. For each, this report compares what the program computes with answers found "
                "independently of it: formulas derived by hand, and numbers from the GNU Scientific Library.")
-        << report::Definitions{{{std::to_string(hold) + " of " + std::to_string(report.equations.size()),
-                                 "equations hold"},
-                                {grouped(independent), "numbers compared with an answer found independently"},
-                                {grouped(all.compared - independent),
-                                 "numbers compared between versions or runs of the program"},
-                                {std::to_string(all.fails), "checks fail, " + std::to_string(all.holds) +
-                                                                " hold, " + std::to_string(all.not_run) +
-                                                                " were not run"}},
-                               true}
+        << report::List{{Text(std::to_string(hold) + " of " + std::to_string(report.equations.size()),
+                              Look::strong) +
+                             " equations hold",
+                         Text(grouped(independent), Look::strong) +
+                             " numbers compared with an answer found independently",
+                         Text(grouped(all.compared - independent), Look::strong) +
+                             " numbers compared between versions or runs of the program",
+                         Text(std::to_string(all.fails), Look::strong) + " checks fail, " +
+                             std::to_string(all.holds) + " hold, " + std::to_string(all.not_run) +
+                             " were not run"},
+                        true}
         << Text(
                "No computer meets an answer to the last digit, so a difference is allowed for every number. How "
                "large it may be is never chosen by feel: it follows from a stated reason, such as the number of "
@@ -149,6 +147,17 @@ std::string described(const SuiteSubject& s)
     return std::string("the fast version on ") +
            (choice.backend == Backend::cpu ? "a processor" : "a graphics card (GPU)") +
            (choice.precision == Precision::double_ ? "; 16 digits" : "; 7 digits");
+}
+
+/// The number of a tally that used most of its bound.
+Text closest(const Tally& t)
+{
+    if (t.closest == nullptr) {
+        return "nothing compared";
+    }
+    const Quantity::Worst& w = t.closest->worst();
+    return check_link(*t.where->check) + ", " + t.closest->name() + ": " + shown(w.error) + " off, " +
+           shown(w.allowed) + " allowed (" + t.where->subject + ")";
 }
 
 Table subjects_table(const SuiteReport& report)
@@ -174,21 +183,14 @@ Table subjects_table(const SuiteReport& report)
 
 Table levels_table(const SuiteReport& report)
 {
-    Table table{{"level", prose("what it compares"), number("numbers compared"), number("checks that fail"),
-                 number("half of the quantities used at most"), number("all used at most"),
+    Table table{{"level", prose("what it compares"), number("hold"), number("fail"), number("not run"),
+                 number("compared"), number("half used at most"), number("all used at most"),
                  "the number that came closest to its bound, or exceeded it most"}};
     for (const Level level : levels) {
         const Tally t = tally(report.suite, level);
-        Text closest = "nothing compared";
-        if (t.closest != nullptr) {
-            const Quantity::Worst& w = t.closest->worst();
-            closest =
-                Text(t.closest->name() + ": " + shown(w.error) + " off, " + shown(w.allowed) + " allowed (") +
-                check_link(*t.where->check) + ", " + t.where->subject + ")";
-        }
-        table.rows.push_back({level_heading(level), words<Level>.at(static_cast<std::size_t>(level)).meaning,
-                              grouped(t.compared), std::to_string(t.fails),
-                              percent(median_ratio(report.suite, level)), percent(t.ratio), closest});
+        table.rows.push_back({heading_of(level), meaning_of(level), std::to_string(t.holds),
+                              std::to_string(t.fails), std::to_string(t.not_run), grouped(t.compared),
+                              percent(t.median()), percent(t.ratio), closest(t)});
     }
     return table;
 }
@@ -196,18 +198,18 @@ Table levels_table(const SuiteReport& report)
 /// Equations that are not known to hold or to fail, those for the same reason together; and what was not run.
 report::List unchecked(const SuiteReport& report)
 {
-    std::map<std::string, std::string> by_reason;
+    std::vector<Reason> of_equations;
     for (const EquationSummary& e : report.equations) {
         if (e.verdict == EquationVerdict::not_checked || e.verdict == EquationVerdict::no_check) {
-            by_reason[e.remark].append(" ").append(number_of(*e.equation));
+            add(of_equations, number_of(*e.equation), e.remark);
         }
     }
     report::List list;
-    for (const auto& [reason, numbers] : by_reason) {
-        list.items.emplace_back("Equations" + numbers + ": " + reason + ".");
+    for (const auto& [numbers, why] : of_equations) {
+        list.items.emplace_back("Equations " + numbers + ": " + why + ".");
     }
-    for (const Reason& reason : not_run(report.suite)) {
-        list.items.emplace_back(reason.who + ": " + reason.why + ".");
+    for (const auto& [who, why] : not_run(report.suite)) {
+        list.items.emplace_back(who + ": " + why + ".");
     }
     list.items.emplace_back(
         "Whether the paper's model describes an aneurysm in a patient. This report is about the "
@@ -218,24 +220,19 @@ report::List unchecked(const SuiteReport& report)
 /// What the checks say of an equation for one version.
 Text subject_cell(const EquationCell& c)
 {
-    std::string closest;
-    if (c.tally.closest != nullptr) {
-        closest = std::string(c.tally.where->check->id) + ", " + c.tally.closest->name() + ": " +
-                  shown(c.tally.closest->worst().error) + " off, " + shown(c.tally.closest->worst().allowed) +
-                  " allowed";
-    }
+    const std::string remark = c.tally.closest == nullptr ? "" : report::text(closest(c.tally));
     using State = EquationCell::State;
     switch (c.state) {
     case State::holds:
-        return report::Span{shown(c.tally.ratio), Look::holds, {}, closest};
+        return report::Span{shown(c.tally.ratio), Look::holds, {}, remark};
     case State::fails:
-        return report::Span{c.tally.ratio > 1 ? shown(c.tally.ratio) : "FAILS", Look::fails, {}, closest};
+        return report::Span{c.tally.ratio > 1 ? shown(c.tally.ratio) : "FAILS", Look::fails, {}, remark};
     case State::not_run:
         return report::Span{"not run", Look::weak, {}, c.remark};
     case State::shared:
         return {c.remark, Look::weak};
     case State::equal:
-        return report::Span{"equal, " + shown(c.tally.ratio), Look::plain, {}, closest};
+        return report::Span{"equal, " + shown(c.tally.ratio), Look::plain, {}, remark};
     case State::none:
         break;
     }
@@ -255,29 +252,26 @@ Text verdict_cell(const EquationSummary& e)
 /// The checks that can show that it holds, with what they compare with; the others in a line each.
 Text checks_cell(const SuiteReport& report, const EquationSummary& e)
 {
-    Text evidence;
+    std::vector<Text> lines;
     std::vector<Text> others;
     std::vector<std::string_view> left_out;
     for (const Check* check : e.checks) {
-        const bool chosen =
-            std::ranges::find(report.suite.results, check, &CheckResult::check) != report.suite.results.end();
-        if (!chosen) {
+        if (std::ranges::find(report.suite.results, check, &CheckResult::check) ==
+            report.suite.results.end()) {
             left_out.push_back(check->id);
-        } else if (!is_evidence(*check)) {
-            others.push_back(check_link(*check));
+        } else if (is_evidence(*check)) {
+            lines.push_back(check_link(*check) + ": " + joined(check->oracles, "; "));
         } else {
-            evidence += (evidence.empty() ? Text() : Text("\n")) + check_link(*check) + ": " +
-                        joined(check->oracles, "; ");
+            others.push_back(check_link(*check));
         }
     }
     if (!others.empty()) {
-        evidence += (evidence.empty() ? Text("also: ") : Text("\nalso: ")) + joined(others, ", ");
+        lines.push_back("also: " + joined(others, ", "));
     }
     if (!left_out.empty()) {
-        evidence +=
-            Text(evidence.empty() ? "not chosen: " : "\nnot chosen: ", Look::weak) + joined(left_out, ", ");
+        lines.push_back(Text("not chosen: ", Look::weak) + joined(left_out, ", "));
     }
-    return evidence;
+    return joined(lines, "\n");
 }
 
 void add_equations(Document& document, const SuiteReport& report)
@@ -310,9 +304,9 @@ void add_equations(Document& document, const SuiteReport& report)
 
 void add_about(Document& document, const SuiteReport& report)
 {
-    report::Definitions sources;
+    report::List sources;
     for (const Word& source : words<Source>) {
-        sources.items.emplace_back(source.name, source.meaning);
+        sources.items.push_back(Text(source.name, Look::strong) + ": " + source.meaning);
     }
     const output::BuildInfo build = output::build_info();
     document
@@ -345,16 +339,6 @@ void add_about(Document& document, const SuiteReport& report)
                     Look::weak);
 }
 
-/// Each on a line that starts like this.
-std::string lines(const std::vector<Reason>& reasons, const char* start)
-{
-    std::string text;
-    for (const Reason& reason : reasons) {
-        text.append(start).append(reason.who).append(": ").append(reason.why).append("\n");
-    }
-    return text;
-}
-
 } // namespace
 
 report::Document suite_document(const SuiteReport& report)
@@ -375,19 +359,15 @@ report::Document suite_document(const SuiteReport& report)
 
 std::string suite_text(const SuiteReport& report)
 {
-    const SuiteResult& suite = report.suite;
-    Table table{{"level", number("hold"), number("fail"), number("not run"), number("compared"),
-                 number("measured/allowed"), "largest in"}};
-    for (const Level level : levels) {
-        const Tally t = tally(suite, level);
-        table.rows.push_back(
-            {level_heading(level), std::to_string(t.holds), std::to_string(t.fails),
-             std::to_string(t.not_run), std::to_string(t.compared), shown(t.ratio),
-             t.closest == nullptr ? "" : std::string(t.where->check->id) + ", " + t.closest->name()});
+    std::string text = report::text(levels_table(report));
+    for (const Failure& f : what_fails(report.suite)) {
+        text += "FAILS      " + report::text(check_link(*f.where->check)) + " (" + f.subjects +
+                "): " + f.what + "\n";
     }
-    return report::text(table) + lines(failures(suite), "FAILS      ") +
-           lines(not_run(suite), "not run    ") + headline(report.equations) + "\n" + verdict_of(suite) +
-           "\n";
+    for (const auto& [who, why] : not_run(report.suite)) {
+        text += "not run    " + who + ": " + why + "\n";
+    }
+    return text + headline(report.equations) + "\n" + outcome_of(report.suite).word + "\n";
 }
 
 } // namespace aneurysm::suite

@@ -4,7 +4,6 @@
 #include "output/report/numbers.hpp"
 
 #include <algorithm>
-#include <span>
 
 namespace aneurysm::suite
 {
@@ -20,8 +19,6 @@ using report::shown;
 using report::shown_value;
 using report::Table;
 using report::Text;
-
-using Results = std::span<const CheckResult>; ///< of one check, by subject
 
 const Quantity* find(const CheckResult& r, const std::string& name)
 {
@@ -43,42 +40,18 @@ std::vector<const Quantity*> quantities_of(Results results)
     return all;
 }
 
-/// Texts, each with the subjects that say it.
-class Sayings
-{
-public:
-    void add(const std::string& text, const std::string& subject)
-    {
-        const auto known = std::ranges::find(all_, text, &Saying::text);
-        if (known == all_.end()) {
-            all_.push_back({text, subject});
-        } else {
-            known->subjects.append(", ").append(subject);
-        }
-    }
-
-    struct Saying {
-        std::string text;
-        std::string subjects;
-    };
-    const std::vector<Saying>& all() const { return all_; }
-
-private:
-    std::vector<Saying> all_;
-};
-
 /// What a quantity is, and how its bound follows; where subjects have different ones, each with its subjects.
 Text quantity_heading(Results results, const Quantity& quantity)
 {
-    Sayings derivations;
+    std::vector<Reason> derivations;
     for (const CheckResult& r : results) {
         if (const Quantity* q = find(r, quantity.name())) {
-            derivations.add(q->derivation(), r.subject);
+            add(derivations, r.subject, q->derivation());
         }
     }
     std::string why;
-    for (const Sayings::Saying& s : derivations.all()) {
-        why += (why.empty() ? "" : "\n") + (derivations.all().size() > 1 ? s.subjects + ": " : "") + s.text;
+    for (const Reason& d : derivations) {
+        why += (why.empty() ? "" : "\n") + (derivations.size() > 1 ? d.who + ": " : "") + d.why;
     }
     return Text(quantity.name() + "\n") +
            Text("bound from " + std::string(name_of(quantity.source())) + ": " + why, Look::weak);
@@ -122,35 +95,27 @@ Table quantity_table(Results results)
     return table;
 }
 
-Text mark(Verdict verdict)
-{
-    return {name_of(verdict), verdict == Verdict::holds   ? Look::holds
-                              : verdict == Verdict::fails ? Look::fails
-                                                          : Look::weak};
-}
-
 /// Subjects with the same verdict for the same reason share a line.
 report::List verdicts(Results results, const SuiteReport& report)
 {
-    const auto is_missing = [&](const std::string& reason) {
-        return std::ranges::any_of(report.suite.subjects, [&](const SuiteSubject& s) {
-            return !reason.empty() && s.missing == reason;
-        });
-    };
     report::List list;
-    for (auto r = results.begin(); r != results.end();) {
-        const CheckResult& first = *r;
-        Text who;
-        for (; r != results.end() && r->verdict == first.verdict && r->message == first.message; ++r) {
-            who += (who.empty() ? "" : ", ") + r->subject;
-            if (first.verdict != Verdict::not_run) {
-                who += Text(" (" + shown(r->seconds) + " s)", Look::weak);
+    for (const auto& [verdict, look] : {std::pair(Verdict::holds, Look::holds),
+                                        {Verdict::fails, Look::fails},
+                                        {Verdict::not_run, Look::weak}}) {
+        std::vector<Reason> reasons;
+        for (const CheckResult& r : results) {
+            if (r.verdict == verdict) {
+                const std::string time = verdict == Verdict::not_run ? "" : " (" + shown(r.seconds) + " s)";
+                add(reasons, r.subject + time, r.message);
             }
         }
-        const std::string why = is_missing(first.message) ? ", not there"
-                                : first.message.empty()   ? ""
-                                                          : ": " + first.message;
-        list.items.push_back(mark(first.verdict) + " for " + who + why);
+        for (const auto& [who, why] : reasons) {
+            const bool missing =
+                !why.empty() && std::ranges::find(report.suite.subjects, why, &SuiteSubject::missing) !=
+                                    report.suite.subjects.end();
+            const std::string reason = missing ? ", not there" : why.empty() ? "" : ": " + why;
+            list.items.push_back(Text(name_of(verdict), look) + " for " + who + reason);
+        }
     }
     return list;
 }
@@ -158,16 +123,16 @@ report::List verdicts(Results results, const SuiteReport& report)
 /// Subjects with the same note share a line.
 report::List notes(Results results)
 {
-    Sayings all;
+    std::vector<Reason> all;
     for (const CheckResult& r : results) {
         for (const Note& n : r.notes) {
-            all.add(n.name + " = " + shown_value(n.value) + (n.remark.empty() ? "" : "; " + n.remark),
-                    r.subject);
+            add(all, r.subject,
+                n.name + " = " + shown_value(n.value) + (n.remark.empty() ? "" : "; " + n.remark));
         }
     }
     report::List list;
-    for (const Sayings::Saying& s : all.all()) {
-        list.items.push_back(Text(s.text) + Text(" (" + s.subjects + ")", Look::weak));
+    for (const auto& [who, note] : all) {
+        list.items.push_back(Text(note) + Text(" (" + who + ")", Look::weak));
     }
     return list;
 }
@@ -211,9 +176,9 @@ report::Text check_link(const Check& check)
     return report::Span{std::string(check.id), Look::plain, "check-" + std::string(check.id)};
 }
 
-std::string level_heading(Level level)
+std::string heading_of(Level level)
 {
-    return "L" + std::to_string(static_cast<int>(level)) + ": " + std::string(name_of(level));
+    return number_of(level) + ": " + std::string(name_of(level));
 }
 
 void add_checks(report::Document& document, const SuiteReport& report)
@@ -224,21 +189,14 @@ void add_checks(report::Document& document, const SuiteReport& report)
                "For each quantity and version the instance that came closest to its bound, or exceeded it most: "
                "what the program computed, what was expected, the difference measured and the one allowed. What "
                "u and gamma_n are stands under the last heading.");
-    const Results all = report.suite.results;
-    const Check* previous = nullptr;
-    for (std::size_t from = 0; from < all.size();) {
-        const Check* check = all[from].check;
-        std::size_t end = from;
-        while (end < all.size() && all[end].check == check) {
-            ++end;
+    std::optional<Level> previous;
+    for (const Results& results : by_check(report.suite)) {
+        const Level level = results[0].check->level;
+        if (level != previous) {
+            document << Heading{3, heading_of(level)} << Text(meaning_of(level));
+            previous = level;
         }
-        if (previous == nullptr || previous->level != check->level) {
-            document << Heading{3, level_heading(check->level)}
-                     << Text(words<Level>.at(static_cast<std::size_t>(check->level)).meaning);
-        }
-        previous = check;
-        add_check(document, all.subspan(from, end - from), report);
-        from = end;
+        add_check(document, results, report);
     }
 }
 

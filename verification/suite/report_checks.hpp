@@ -10,7 +10,7 @@ namespace aneurysm::suite
 /// To the check's own part of the section.
 report::Text check_link(const Check& check);
 /// "L0: single formulas"
-std::string level_heading(Level level);
+std::string heading_of(Level level);
 void add_checks(report::Document& document, const SuiteReport& report);
 
 } // namespace aneurysm::suite

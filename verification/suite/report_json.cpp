@@ -47,12 +47,8 @@ output::Json to_json(const Plot& p)
 
 output::Json to_json(const Check& c)
 {
-    return {{"id", c.id},
-            {"level", "L" + std::to_string(static_cast<int>(c.level))},
-            {"equations", c.equations},
-            {"title", c.title},
-            {"oracles", c.oracles},
-            {"scope", name_of(c.scope)},
+    return {{"id", c.id},       {"level", number_of(c.level)}, {"equations", c.equations},
+            {"title", c.title}, {"oracles", c.oracles},        {"scope", name_of(c.scope)},
             {"quick", c.quick}};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "output/report/junit.hpp"
+#include "output/report/markup.hpp"
 #include "output/report/numbers.hpp"
 #include "verification/suite/report.hpp"
 
@@ -7,6 +7,10 @@ namespace aneurysm::suite
 {
 namespace
 {
+
+using report::element;
+using report::empty_element;
+using report::Markup;
 
 /// What failed, line by line.
 std::string details(const CheckResult& r)
@@ -24,24 +28,59 @@ std::string details(const CheckResult& r)
     return text;
 }
 
+Markup test_case(const CheckResult& r)
+{
+    Markup outcome;
+    if (r.verdict == Verdict::fails) {
+        outcome = element("failure", {{"message", r.message}}, details(r));
+    } else if (r.verdict == Verdict::not_run) {
+        outcome = empty_element("skipped", {{"message", r.message}});
+    }
+    return element("testcase",
+                   {{"classname", number_of(r.check->level) + "." + std::string(r.check->id)},
+                    {"name", r.subject},
+                    {"time", report::printed("%.3f", r.seconds)}},
+                   outcome)
+           << "\n";
+}
+
+/// An element around test cases that counts them.
+Markup counted(const char* element_name, const std::string& name, const Tally& tally, double seconds,
+               const std::string& date, const Markup& content)
+{
+    return element(element_name,
+                   {{"name", name},
+                    {"tests", std::to_string(tally.holds + tally.fails + tally.not_run)},
+                    {"failures", std::to_string(tally.fails)},
+                    {"errors", "0"},
+                    {"skipped", std::to_string(tally.not_run)},
+                    {"time", report::printed("%.3f", seconds)},
+                    {"timestamp", date}},
+                   "\n", content)
+           << "\n";
+}
+
 } // namespace
 
 std::string suite_junit(const SuiteReport& report)
 {
-    using Outcome = report::TestCase::Outcome;
-    static constexpr std::array outcomes{Outcome::passed, Outcome::failed, Outcome::skipped}; // by Verdict
-    std::vector<report::TestSuite> suites;
-    for (std::size_t n = 0; n < words<Level>.size(); ++n) {
-        suites.push_back({"L" + std::to_string(n) + " " + std::string(words<Level>.at(n).name)});
+    Markup suites;
+    for (const Level level : levels) {
+        Markup cases;
+        double seconds = 0;
+        for (const CheckResult& r : report.suite.results) {
+            if (r.check->level == level) {
+                cases << test_case(r);
+                seconds += r.seconds;
+            }
+        }
+        suites << counted("testsuite", number_of(level) + " " + std::string(name_of(level)),
+                          tally(report.suite, level), seconds, report.date, cases);
     }
-    for (const CheckResult& r : report.suite.results) {
-        const auto level = static_cast<std::size_t>(r.check->level);
-        const std::string class_name = "L" + std::to_string(level) + "." + std::string(r.check->id);
-        suites.at(level).cases.push_back({class_name, r.subject,
-                                          outcomes.at(static_cast<std::size_t>(r.verdict)), r.message,
-                                          details(r), r.seconds});
-    }
-    return report::junit("aneurysm verify", suites, report.date, report.suite.seconds);
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + counted("testsuites", "aneurysm verify",
+                                                                    tally(report.suite), report.suite.seconds,
+                                                                    report.date, suites)
+                                                                .text();
 }
 
 } // namespace aneurysm::suite

@@ -100,44 +100,21 @@ void judge(CheckResult& result)
     }
 }
 
-/// One entry of the result, and whom to run it for; null: it can't be run.
+/// A check, and whom to run it for.
 struct Job {
-    CheckResult result;
-    const Subject* subject = nullptr;
+    const Check* check = nullptr;
+    const SuiteSubject* on = nullptr;
+
+    std::string subject() const { return name_for(*check, on->subject); }
 };
 
-std::vector<Job> make_jobs(const std::vector<const Check*>& checks, const std::vector<SuiteSubject>& subjects)
+CheckResult run(const Job& job)
 {
-    std::vector<Job> jobs;
-    for (const Check* check : checks) {
-        if (check->scope == Scope::once) {
-            jobs.push_back({{.check = check, .subject = "once"}, &once()});
-            continue;
-        }
-        for (const SuiteSubject& s : subjects) {
-            if (looks_at(*check, s.subject) && s.missing.empty()) {
-                jobs.push_back({{.check = check, .subject = s.subject.name()}, &s.subject});
-            } else if (looks_at(*check, s.subject) && check->scope != Scope::equations) {
-                jobs.push_back(
-                    {{.check = check, .subject = s.subject.name(), .message = s.missing}, nullptr});
-            }
-        }
-    }
-    return jobs;
-}
-
-void run(Job& job)
-{
-    if (job.subject == nullptr) {
-        return;
-    }
-    if (InterruptWatch::interrupted()) {
-        job.result.message = interruption;
-        return;
-    }
-    const std::string name = job.result.subject;
-    job.result = run_check(*job.result.check, *job.subject);
-    job.result.subject = name;
+    const std::string obstacle = !job.on->missing.empty()        ? job.on->missing
+                                 : InterruptWatch::interrupted() ? interruption
+                                                                 : "";
+    return obstacle.empty() ? run_check(*job.check, job.on->subject)
+                            : CheckResult{.check = job.check, .subject = job.subject(), .message = obstacle};
 }
 
 } // namespace
@@ -166,26 +143,34 @@ std::vector<const Check*> select(const std::vector<Check>& checks, bool full,
     return all;
 }
 
-bool looks_at(const Check& check, const Subject& subject)
+std::vector<const SuiteSubject*> subjects_of(const Check& check, const std::vector<SuiteSubject>& subjects)
 {
-    switch (check.scope) {
-    case Scope::equations:
-        return subject.equations != nullptr;
-    case Scope::flows:
-        return true;
-    case Scope::backends:
-        return subject.choice.backend != Backend::reference;
-    case Scope::once:
-        break;
+    static const SuiteSubject any{once(), "", ""};
+    if (check.scope == Scope::once) {
+        return {&any};
     }
-    return false;
+    std::vector<const SuiteSubject*> chosen;
+    for (const SuiteSubject& s : subjects) {
+        const bool has_equations = s.subject.equations != nullptr && s.missing.empty();
+        const bool is_reference = s.subject.choice.backend == Backend::reference;
+        if (check.scope == Scope::flows || (check.scope == Scope::equations && has_equations) ||
+            (check.scope == Scope::backends && !is_reference)) {
+            chosen.push_back(&s);
+        }
+    }
+    return chosen;
+}
+
+std::string name_for(const Check& check, const Subject& subject)
+{
+    return check.scope == Scope::once ? "once" : subject.name();
 }
 
 CheckResult run_check(const Check& check, const Subject& subject)
 {
     const auto start = Clock::now();
-    Probe probe(subject);
-    CheckResult result{.check = &check, .subject = subject.name()};
+    CheckResult result{.check = &check, .subject = name_for(check, subject)};
+    Probe probe(subject, result);
     std::string thrown;
     try {
         check.run(probe);
@@ -197,10 +182,6 @@ CheckResult run_check(const Check& check, const Subject& subject)
     } catch (...) {
         thrown = "something that is no std::exception";
     }
-    result.message = probe.reason_not_run();
-    result.quantities = probe.quantities();
-    result.notes = probe.notes();
-    result.plots = probe.plots();
     judge(result);
     if (result.verdict == Verdict::not_run) { // what was prepared for it says nothing
         std::erase_if(result.quantities, [](const Quantity& q) { return q.compared() == 0; });
@@ -220,16 +201,22 @@ SuiteResult run_suite(const std::vector<const Check*>& checks, std::vector<Suite
     const auto start = Clock::now();
     analytic::gsl_return_errors(); // else an error in one check ends the program
     SuiteResult suite{.subjects = std::move(subjects)};
-    std::vector<Job> jobs = make_jobs(checks, suite.subjects);
+    std::vector<Job> jobs;
+    for (const Check* check : checks) {
+        for (const SuiteSubject* s : subjects_of(*check, suite.subjects)) {
+            jobs.push_back({check, s});
+        }
+    }
+    suite.results.resize(jobs.size());
     std::mutex mutex;
     std::string doing; // guarded by it
     std::atomic<std::int64_t> done = 0;
     const auto work = [&](std::size_t k) {
         {
             const std::scoped_lock lock(mutex);
-            doing = std::string(jobs[k].result.check->id) + " (" + jobs[k].result.subject + ")";
+            doing = std::string(jobs[k].check->id) + " (" + jobs[k].subject() + ")";
         }
-        run(jobs[k]);
+        suite.results[k] = run(jobs[k]);
         ++done;
     };
     in_parallel(jobs.size(), threads, work, [&] {
@@ -238,9 +225,6 @@ SuiteResult run_suite(const std::vector<const Check*>& checks, std::vector<Suite
             after_result(done, static_cast<std::int64_t>(jobs.size()), doing);
         }
     });
-    for (Job& job : jobs) {
-        suite.results.push_back(std::move(job.result));
-    }
     suite.complete =
         std::ranges::none_of(suite.results, [](const CheckResult& r) { return r.message == interruption; });
     suite.seconds = seconds_since(start);

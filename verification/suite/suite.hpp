@@ -5,7 +5,6 @@
 #include "verification/suite/check.hpp"
 #include "verification/suite/subjects.hpp"
 
-#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,26 +12,8 @@
 namespace aneurysm::suite
 {
 
-enum class Verdict {
-    holds,   ///< something was compared, and all of it lies within its bounds
-    fails,   ///< something doesn't, nothing was compared, or the check threw
-    not_run, ///< the message says why
-};
-
 /// The message of what Ctrl-C kept from being done.
 inline constexpr const char* interruption = "interrupted";
-
-/// What came of one check for one subject.
-struct CheckResult {
-    const Check* check = nullptr;
-    std::string subject; ///< Subject::name, or "once"
-    Verdict verdict = Verdict::not_run;
-    std::string message{}; ///< why it fails or was not run; empty when it holds
-    std::deque<Quantity> quantities{};
-    std::vector<Note> notes{};
-    std::vector<Plot> plots{};
-    double seconds = 0;
-};
 
 /// The result of a run of the suite: one for each check and subject, by check first.
 struct SuiteResult {
@@ -48,8 +29,12 @@ struct SuiteResult {
 std::vector<const Check*> select(const std::vector<Check>& checks, bool full,
                                  const std::vector<std::string>& only);
 
-/// Whether the suite runs this check for this subject; none for those of Scope::once.
-bool looks_at(const Check& check, const Subject& subject);
+/// Those that the suite runs this check for; one that is missing is among them unless the check would have run
+/// for another all the same.
+std::vector<const SuiteSubject*> subjects_of(const Check& check, const std::vector<SuiteSubject>& subjects);
+
+/// Subject::name, or "once".
+std::string name_for(const Check& check, const Subject& subject);
 
 /// Does not throw: what a check throws is its failure.
 CheckResult run_check(const Check& check, const Subject& subject);

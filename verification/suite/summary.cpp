@@ -2,6 +2,7 @@
 #include "verification/suite/summary.hpp"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 namespace aneurysm::suite
@@ -86,47 +87,7 @@ void judge(EquationSummary& e, const std::vector<const CheckResult*>& results)
     }
 }
 
-/// A further one for the same reason, or a new one.
-void add(std::vector<Reason>& reasons, const std::string& who, const std::string& why)
-{
-    if (!reasons.empty() && reasons.back().why == why) {
-        reasons.back().who.append(", ").append(who);
-    } else {
-        reasons.push_back({who, why});
-    }
-}
-
-/// Of each check the subjects with such a verdict; those that aren't there were not run anyway.
-std::vector<Reason> reasons(const SuiteResult& suite, Verdict verdict)
-{
-    const auto is_missing = [&](const std::string& name) {
-        return std::ranges::any_of(suite.subjects, [&](const SuiteSubject& s) {
-            return !s.missing.empty() && s.subject.name() == name;
-        });
-    };
-    std::vector<Reason> all;
-    for (auto r = suite.results.begin(); r != suite.results.end();) {
-        const Check* check = r->check;
-        std::vector<Reason> own;
-        for (; r != suite.results.end() && r->check == check; ++r) {
-            if (r->verdict == verdict && !is_missing(r->subject)) {
-                add(own, r->subject, r->message);
-            }
-        }
-        for (const Reason& reason : own) {
-            add(all, std::string(check->id) + " (" + reason.who + ")", reason.why);
-        }
-    }
-    return all;
-}
-
 } // namespace
-
-std::string number_of(const Equation& equation)
-{
-    const std::string id(equation.id);
-    return id == "EOS" ? id : "(" + id + ")";
-}
 
 void Tally::add(const CheckResult& result)
 {
@@ -135,36 +96,31 @@ void Tally::add(const CheckResult& result)
     not_run += result.verdict == Verdict::not_run ? 1 : 0;
     for (const Quantity& q : result.quantities) {
         compared += q.compared();
-        const Quantity::Worst& w = q.worst();
-        if (w.ratio > ratio) {
-            ratio = w.ratio;
-            closest = &q;
-            where = &result;
+        const double used = q.worst().ratio;
+        if (q.compared() > 0) {
+            ratios.push_back(used);
+        }
+        if (used > ratio) {
+            std::tie(ratio, closest, where) = std::tuple(used, &q, &result);
         }
     }
 }
 
-Tally tally(const CheckResult& result)
+double Tally::median() const
 {
-    Tally t;
-    t.add(result);
-    return t;
-}
-
-Tally tally(const SuiteResult& suite)
-{
-    Tally t;
-    for (const CheckResult& r : suite.results) {
-        t.add(r);
+    if (ratios.empty()) {
+        return -1;
     }
-    return t;
+    std::vector<double> sorted = ratios;
+    std::ranges::sort(sorted);
+    return sorted[(sorted.size() - 1) / 2];
 }
 
-Tally tally(const SuiteResult& suite, Level level)
+Tally tally(const SuiteResult& suite, std::optional<Level> level)
 {
     Tally t;
     for (const CheckResult& r : suite.results) {
-        if (r.check->level == level) {
+        if (!level || r.check->level == level) {
             t.add(r);
         }
     }
@@ -180,24 +136,6 @@ bool is_own(const Check& check, const Equation& equation)
 {
     const std::string id = (equation.id.size() == 1 ? "eq0" : "eq") + std::string(equation.id);
     return check.id.starts_with(id + "_") || (check.equations.size() == 1 && names(check, equation));
-}
-
-double median_ratio(const SuiteResult& suite, Level level)
-{
-    std::vector<double> ratios;
-    for (const CheckResult& r : suite.results) {
-        for (const Quantity& q : r.quantities) {
-            if (r.check->level == level && q.compared() > 0) {
-                ratios.push_back(q.worst().ratio);
-            }
-        }
-    }
-    if (ratios.empty()) {
-        return -1;
-    }
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>((ratios.size() - 1) / 2);
-    std::ranges::nth_element(ratios, middle);
-    return *middle;
 }
 
 std::vector<EquationSummary> by_equation(const SuiteResult& suite, const std::vector<Check>& checks)
@@ -226,21 +164,50 @@ std::vector<EquationSummary> by_equation(const SuiteResult& suite, const std::ve
     return summaries;
 }
 
-std::vector<Reason> failures(const SuiteResult& suite)
+std::vector<Results> by_check(const SuiteResult& suite)
 {
-    return reasons(suite, Verdict::fails);
+    std::vector<Results> all;
+    const Results results = suite.results;
+    for (std::size_t from = 0, end = 0; from < results.size(); from = end) {
+        while (end < results.size() && results[end].check == results[from].check) {
+            ++end;
+        }
+        all.push_back(results.subspan(from, end - from));
+    }
+    return all;
+}
+
+void add(std::vector<Reason>& reasons, const std::string& who, const std::string& why)
+{
+    const auto known = std::ranges::find(reasons, why, &Reason::why);
+    if (known == reasons.end()) {
+        reasons.push_back({who, why});
+    } else {
+        known->who.append(", ").append(who);
+    }
 }
 
 std::vector<Reason> not_run(const SuiteResult& suite)
 {
     std::vector<Reason> all;
+    std::set<std::string> missing;
     for (const SuiteSubject& s : suite.subjects) {
         if (!s.missing.empty()) {
             add(all, s.subject.name(), s.missing);
+            missing.insert(s.subject.name());
         }
     }
-    const std::vector<Reason> checks = reasons(suite, Verdict::not_run);
-    all.insert(all.end(), checks.begin(), checks.end());
+    for (const Results& results : by_check(suite)) {
+        std::vector<Reason> own;
+        for (const CheckResult& r : results) {
+            if (r.verdict == Verdict::not_run && !missing.contains(r.subject)) {
+                add(own, r.subject, r.message);
+            }
+        }
+        for (const Reason& reason : own) {
+            add(all, std::string(results[0].check->id) + " (" + reason.who + ")", reason.why);
+        }
+    }
     return all;
 }
 
@@ -248,13 +215,11 @@ std::vector<Failure> what_fails(const SuiteResult& suite)
 {
     std::vector<Failure> all;
     const auto add = [&](const CheckResult& r, const Quantity* q) {
-        const auto known = std::ranges::find_if(all, [&](const Failure& f) {
-            const bool same = q == nullptr ? f.quantity == nullptr && f.where->message == r.message
-                                           : f.quantity != nullptr && f.quantity->name() == q->name();
-            return f.where->check == r.check && same;
-        });
-        Failure& f = known == all.end() ? all.emplace_back(Failure{&r, q}) : *known;
-        f.subjects.push_back(r.subject);
+        const std::string what = q == nullptr ? r.message : q->name();
+        const auto known = std::ranges::find_if(
+            all, [&](const Failure& f) { return f.where->check == r.check && f.what == what; });
+        Failure& f = known == all.end() ? all.emplace_back(Failure{&r, q, what}) : *known;
+        f.subjects.append(f.subjects.empty() ? "" : ", ").append(r.subject);
         if (q != nullptr && q->worst().ratio > f.quantity->worst().ratio) {
             std::tie(f.where, f.quantity) = std::tuple(&r, q);
         }
@@ -266,7 +231,8 @@ std::vector<Failure> what_fails(const SuiteResult& suite)
                 add(r, &q);
             }
         }
-        if (r.verdict == Verdict::fails && std::ranges::none_of(r.quantities, is_red)) {
+        const bool stopped = r.message.starts_with("stopped: ");
+        if (r.verdict == Verdict::fails && (stopped || std::ranges::none_of(r.quantities, is_red))) {
             add(r, nullptr);
         }
     }

@@ -5,16 +5,15 @@
 #include "verification/suite/words.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace aneurysm::suite
 {
 
-/// "(13)", or "EOS"
-std::string number_of(const Equation& equation);
-
-/// How many results, and how close to its bound the closest number came.
+/// How many results, and how close to their bounds the numbers in them came.
 struct Tally {
     int holds = 0;
     int fails = 0;
@@ -23,10 +22,14 @@ struct Tally {
     double ratio = -1;                  ///< largest measured / allowed; -1: nothing compared
     const Quantity* closest = nullptr;  ///< whose ratio that is
     const CheckResult* where = nullptr; ///< in which
+    std::vector<double> ratios{};       ///< of all quantities
 
     void add(const CheckResult& result);
+    /// What half of the quantities used of their bounds at most; -1: nothing compared.
+    double median() const;
 };
-Tally tally(const CheckResult& result);
+/// Of all results, or those of a level.
+Tally tally(const SuiteResult& suite, std::optional<Level> level = {});
 
 /// Whether it compares the program itself with an answer found without it: only such a check can show that an
 /// equation holds. The others, of oracles and of runs with one another, can only show that something fails.
@@ -62,28 +65,30 @@ struct EquationSummary {
 /// \param checks  all there are
 std::vector<EquationSummary> by_equation(const SuiteResult& suite, const std::vector<Check>& checks);
 
-/// What fails or was not run, each reason once: {"cuda double, cuda float", "no GPU"}, {"eq13_pole (cpu
-/// double, cpu float)", "not within its bound: pole [Pa]"}.
+/// The results of a check, by subject.
+using Results = std::span<const CheckResult>;
+std::vector<Results> by_check(const SuiteResult& suite);
+
+/// What several say, said once: {"cuda double, cuda float", "no GPU"}.
 struct Reason {
-    std::string who;
+    std::string who; ///< by commas
     std::string why;
 };
-std::vector<Reason> failures(const SuiteResult& suite);
+void add(std::vector<Reason>& reasons, const std::string& who, const std::string& why);
+
+/// Subjects that are missing, then what was not run for others: {"eq13_pole (cpu double, cpu float)", ...}.
 std::vector<Reason> not_run(const SuiteResult& suite);
 
 /// A quantity that isn't within its bound, or a check that stopped or compared nothing.
 struct Failure {
-    const CheckResult* where = nullptr;  ///< of the version that is worst off
-    const Quantity* quantity = nullptr;  ///< null: see the message of `where`
-    std::vector<std::string> subjects{}; ///< all for which it fails
+    const CheckResult* where = nullptr; ///< of the version that is worst off
+    const Quantity* quantity = nullptr; ///< null: a check's
+    std::string what{};                 ///< the quantity's name, or the check's message
+    std::string subjects{};             ///< all for which it fails, by commas
 };
 /// By level, the lowest first: what it is made of is smallest, so that it is the place to look at first.
 std::vector<Failure> what_fails(const SuiteResult& suite);
 
-Tally tally(const SuiteResult& suite);
-Tally tally(const SuiteResult& suite, Level level);
-/// What half of the quantities used of their bounds at most; -1: nothing compared.
-double median_ratio(const SuiteResult& suite, Level level);
 /// Something was compared, and nothing fails.
 bool passed(const SuiteResult& suite);
 /// "29 of 29 equations hold", and which others there are.

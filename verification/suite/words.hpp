@@ -6,6 +6,7 @@
 #include "verification/suite/suite.hpp"
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace aneurysm::suite
@@ -81,6 +82,24 @@ template <class Enum>
 requires(!words<Enum>.empty()) constexpr std::string_view name_of(Enum value)
 {
     return words<Enum>.at(static_cast<std::size_t>(value)).name;
+}
+
+inline constexpr std::array levels{Level::scalar,     Level::lattice,     Level::transient,
+                                   Level::continuous, Level::metamorphic, Level::executors};
+constexpr std::string_view meaning_of(Level level)
+{
+    return words<Level>.at(static_cast<std::size_t>(level)).meaning;
+}
+/// "L0"
+inline std::string number_of(Level level)
+{
+    return "L" + std::to_string(static_cast<int>(level));
+}
+/// "(13)", or "EOS"
+inline std::string number_of(const Equation& equation)
+{
+    const std::string id(equation.id);
+    return id == "EOS" ? id : "(" + id + ")";
 }
 
 } // namespace aneurysm::suite
