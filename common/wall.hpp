@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plain data of the aneurysm's wall, for all that have its equations; no formula.
+// Plain data of the vessel's wall and of what hits it, for all that have its equations; no formula.
 #pragma once
 
 #include "common/scenario/scenario.hpp"
@@ -31,6 +31,18 @@ inline WallTissue wall_tissue(const Scenario& scenario)
             .A_C = g.collagen_area_m2,
             .m = g.wall_mass_kg};
 }
+
+/// The impact of (16) and who made it.
+struct Impact {
+    double force = 0;           ///< F_b [N]; 0 when S is empty: nothing touches the wall
+    std::int64_t particle = -1; ///< the member of S that attains it; -1 when S is empty
+};
+
+/// What is left of a particle's state after the collision of Fig. 1.
+struct Collision {
+    Vec3 position; ///< [m]
+    Vec3 velocity; ///< [m/s]
+};
 
 /// The wall of (28): how far it is displaced, and how fast it moves.
 struct ElasticWall {

@@ -90,10 +90,6 @@ inline ElasticWall advance_elastic_wall(const ElasticWall& wall, double F_fluid,
 
 /// Fig. 1  A particle that is `depth` beyond the wall is put back onto it; the velocity component along the
 /// outward normal n is turned round if it points outwards, the tangential one kept.
-struct Collision {
-    Vec3 position;
-    Vec3 velocity;
-};
 inline Collision collide(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n)
 {
     const double outward = dot(velocity, n);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "common/vec3.hpp"
+#include "common/wall.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -70,12 +71,6 @@ inline Vec3 impulse_force(double m, const Vec3& v, double dt)
 {
     return m / dt * v;
 }
-
-/// The impact of (16) and who made it.
-struct Impact {
-    double force = 0;           ///< F_b [N]; 0 when S is empty: nothing touches the wall
-    std::int64_t particle = -1; ///< the member of S that attains it; -1 when S is empty
-};
 
 /// Eq. (16)  The hardest hit on the wall among the particles of S:
 ///

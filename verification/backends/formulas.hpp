@@ -20,18 +20,6 @@ struct Carrier {
     bool absent = false; ///< in the reserve: takes no part
 };
 
-/// F_b of (16) and who made it; -1: nobody.
-struct Hit {
-    double force = 0; ///< [N]
-    std::int64_t particle = -1;
-};
-
-/// What is left of a particle's state after the collision of Fig. 1.
-struct Rebound {
-    Vec3 position; ///< [m]
-    Vec3 velocity; ///< [m/s]
-};
-
 using Inlet = decltype(Scenario::inlet);
 
 /// The scalar equations as one backend computes them, so that a check is written once for all. Arguments and
@@ -55,8 +43,8 @@ struct Equations {
     double (*radius_per_pressure)(double P, double R, double h, double Y, double sigma, double phi);
     double (*critical_pressure)(double h, double R, double Y, double sigma, double phi);
     Vec3 (*impulse_force)(double m, const Vec3& v, double dt);
-    Hit (*impact_force)(std::span<const std::int64_t> S, double m, std::span<const double> density,
-                        std::span<const Vec3> force);
+    Impact (*impact_force)(std::span<const std::int64_t> S, double m, std::span<const double> density,
+                           std::span<const Vec3> force);
     bool (*ruptures)(double F_b, double area, double P_c);
 
     // Section 3.3: (17)-(23)
@@ -78,7 +66,7 @@ struct Equations {
     Vec3 (*wall_velocity)();
     ElasticWall (*advance_elastic_wall)(const ElasticWall& wall, double F_fluid, double k, double m_wall,
                                         double dt);
-    Rebound (*collide)(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n);
+    Collision (*collide)(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n);
 };
 
 /// In double; both backends' scalar equations are double in either precision.

@@ -40,8 +40,8 @@ double interpolate(KernelName name, double h, const Vec3& r, std::span<const Car
 
 /// Particle by particle; the hardest is found pair by pair, as a reduction over threads does, which are
 /// filled up with nobody's hits.
-Hit impact_force(std::span<const std::int64_t> S, double m, std::span<const double> density,
-                 std::span<const Vec3> force)
+Impact impact_force(std::span<const std::int64_t> S, double m, std::span<const double> density,
+                    std::span<const Vec3> force)
 {
     std::vector<device::Impact> hits(std::bit_ceil(S.size()));
     for (std::size_t i = 0; i < S.size(); ++i) {
@@ -64,9 +64,9 @@ double inlet_velocity(const Inlet& inlet, double t)
     return device::inlet_velocity(s, t);
 }
 
-Rebound collide(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n)
+Collision collide(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n)
 {
-    Rebound after{position, velocity};
+    Collision after{position, velocity};
     device::collide(after.position, after.velocity, depth, n);
     return after;
 }

@@ -27,23 +27,10 @@ double interpolate(KernelName name, double h, const Vec3& r, std::span<const Car
     return reference::interpolate(bodies, rho, A, reference::Kernel(name, h), r);
 }
 
-Hit impact_force(std::span<const std::int64_t> S, double m, std::span<const double> density,
-                 std::span<const Vec3> force)
-{
-    const reference::Impact impact = reference::impact_force(S, m, density, force);
-    return {impact.force, impact.particle};
-}
-
 double inlet_velocity(const Inlet& inlet, double t)
 {
     return reference::inlet_velocity(inlet.waveform, inlet.peak_velocity_m_s, inlet.cycle_s, t,
                                      inlet.table_time_s, inlet.table_velocity_m_s);
-}
-
-Rebound collide(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n)
-{
-    const reference::Collision after = reference::collide(position, velocity, depth, n);
-    return {after.position, after.velocity};
 }
 
 } // namespace
@@ -67,7 +54,7 @@ const Equations& reference_equations()
         .radius_per_pressure = reference::radius_per_pressure,
         .critical_pressure = reference::critical_pressure,
         .impulse_force = reference::impulse_force,
-        .impact_force = impact_force,
+        .impact_force = reference::impact_force,
         .ruptures = reference::ruptures,
         .net_wall_force = reference::net_wall_force,
         .tissue_force = reference::tissue_force,
@@ -82,7 +69,7 @@ const Equations& reference_equations()
         .outlet_pressure_force = reference::outlet_pressure_force,
         .wall_velocity = reference::wall_velocity,
         .advance_elastic_wall = reference::advance_elastic_wall,
-        .collide = collide,
+        .collide = reference::collide,
     };
     return equations;
 }

@@ -34,7 +34,7 @@ void fig1_collision(Probe& probe)
         const Vec3 v = a.vector(3);
         const double depth = a.between(0, 0.2);
         const double speed = length(v);
-        const backends::Rebound after = probe.equations().collide(r, v, depth, unit);
+        const Collision after = probe.equations().collide(r, v, depth, unit);
         const std::string where = at({{"set", double(n)}, {"n.v", dot(unit, v)}});
         const auto residual = [&](const Vec3& velocity) {
             return analytic::collision_residual(to_eigen(r), to_eigen(v), depth, to_eigen(unit),
@@ -56,7 +56,7 @@ void fig1_collision(Probe& probe)
     }
     const Vec3 axis{0, 1, 0};
     const Vec3 sliding{0.3, 0, -0.7};
-    const backends::Rebound slid = probe.equations().collide({0.1, 0.2, 0.3}, sliding, 0.03125, axis);
+    const Collision slid = probe.equations().collide({0.1, 0.2, 0.3}, sliding, 0.03125, axis);
     bits.within(slid.velocity, sliding, 0, "sliding along the wall");
     bits.within(slid.position.y, 0.2 - 0.03125, 0, "put back along an axis");
 }

@@ -117,7 +117,7 @@ struct Impacts {
         }
         return columns;
     }
-    backends::Hit by(const backends::Equations& equations) const
+    Impact by(const backends::Equations& equations) const
     {
         return equations.impact_force(S, m, density, force);
     }
@@ -137,7 +137,7 @@ void eq16_hardest_hit(Probe& probe)
     for (int n = 0; n < 100; ++n) {
         const Impacts impacts(a, 1 + n % 40);
         const std::string where = at({{"set", double(n)}, {"particles", double(impacts.S.size())}});
-        const backends::Hit hit = impacts.by(probe.equations());
+        const Impact hit = impacts.by(probe.equations());
         if (impacts.S.empty()) {
             norm.within(hit.force, 0, 0, where + ": empty");
             who.equal(hit.particle, -1, where + ": empty");
@@ -179,7 +179,7 @@ void eq16_special_hits(Probe& probe)
     for (const std::int64_t place : {1, 4, 7}) { // the first, in the middle, the last
         Impacts broken = impacts;
         broken.force[static_cast<std::size_t>(place)].y = std::numeric_limits<double>::quiet_NaN();
-        const backends::Hit hit = broken.by(probe.equations());
+        const Impact hit = broken.by(probe.equations());
         force.holds(std::isnan(hit.force), at({{"no number at", double(place)}}));
         who.equal(hit.particle, place, at({{"no number at", double(place)}}));
     }
