@@ -16,5 +16,6 @@ target_link_options(aneurysm PRIVATE -static-libstdc++ -static-libgcc)
 # Debian has Google Benchmark only as a shared library, which needs the C++ library's; it goes with its program.
 get_target_property(library benchmark::benchmark IMPORTED_LOCATION_NONE)
 get_target_property(name benchmark::benchmark IMPORTED_SONAME_NONE)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 file(COPY_FILE ${library} ${PROJECT_BINARY_DIR}/bin/${name})
 set_property(TARGET bench_frames PROPERTY BUILD_RPATH "$ORIGIN")
