@@ -1,52 +1,38 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bad input to the program: one line on stderr that names the place, exit code 2, nothing written.
 
-usage: check_bad_input.py PROGRAM DATA
 Where the JSON Schema can say what is wrong, it has to refuse the file as well, and only there.
 """
 import json
 import pathlib
-import subprocess
-import sys
-import tempfile
 
 import jsonschema
 
-program, data = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
-base = str(data / "scenarios/base.json")
-validator = jsonschema.Draft202012Validator(json.loads((data / "scenario.schema.json").read_text()))
-failures = []
-checks = 0
+import program
+from program import data, expect, quick
 
-
-def expect(good, what):
-    global checks
-    checks += 1
-    if not good:
-        failures.append(what)
+base = data / "scenarios/base.json"
+validator = jsonschema.Draft202012Validator(program.read_json(data / "scenario.schema.json"))
 
 
 def files_below(directory):
     return sorted(str(path) for path in directory.rglob("*"))
 
 
-def refused(directory, arguments, names, code=2):
+def refused(directory, arguments, names):
     """Runs the program, which has to refuse the arguments and name each of `names`."""
     before = files_below(directory)
-    done = subprocess.run([program, *map(str, arguments)], cwd=directory, capture_output=True, text=True)
-    label = " ".join(map(str, arguments)) + f" -> {done.returncode}: {done.stderr.strip()}"
-    expect(done.returncode == code, f"exit code {code} expected: {label}")
-    expect(done.stderr.count("\n") == 1 and done.stderr.endswith("\n"), f"one line expected: {label}")
-    expect(done.stdout == "", f"nothing on stdout expected: {label}")
+    out, err = program.run(*arguments, code=2, cwd=directory)
+    label = " ".join(map(str, arguments)) + f": {err.strip()}"
+    expect(err.count("\n") == 1 and err.endswith("\n"), f"one line expected: {label}")
+    expect(out == "", f"nothing on stdout expected: {label}")
     for name in names:
-        expect(str(name) in done.stderr, f"'{name}' expected: {label}")
+        expect(str(name) in err, f"'{name}' expected: {label}")
     expect(files_below(directory) == before, f"nothing written expected: {label}")
 
 
 def changed(**groups):
-    """A scenario on top of the base; every change has its reason."""
-    paths = [f"{g}.{k}" for g, values in groups.items() if isinstance(values, dict) for k in values]
-    return {"base": base, **groups, "assumed": {path: "a test" for path in paths}}
+    return program.changed(base, **groups)
 
 
 # Text of the file, JSON path in the message, whether the schema refuses it too (None: it is no JSON).
@@ -85,10 +71,10 @@ scenarios = [
     (changed(inlet={"waveform": "sin"}), "inlet.waveform", True),
     (changed(aneurysm={"shape": "cubic"}), "aneurysm.shape", True),
     (changed(pressure={"relaxation": 1}), "pressure.relaxation", True),
-    ({"base": base, "assumed": {"vessel.color": "red"}}, "assumed", True),
-    ({"base": base, "assumed": {"vessel.radius_m": ""}}, "assumed.vessel.radius_m", True),
+    ({"base": str(base), "assumed": {"vessel.color": "red"}}, "assumed", True),
+    ({"base": str(base), "assumed": {"vessel.radius_m": ""}}, "assumed.vessel.radius_m", True),
     # What contradicts other values is beyond a schema.
-    ({"base": base, "fluid": {"density_kg_m3": 1060}}, "assumed.fluid.density_kg_m3", False),
+    ({"base": str(base), "fluid": {"density_kg_m3": 1060}}, "assumed.fluid.density_kg_m3", False),
     (changed(particles={"count": 12}), "particles.count", False),
     (changed(particles={"count": 100}), "particles.count", False),
     (changed(vessel={"angle_deg": 15, "daughter_length_radii": 3.5}), "vessel.angle_deg", False),
@@ -120,7 +106,6 @@ def check_files(directory):
 
 
 def check_arguments(directory):
-    quick = data / "scenarios/quick.json"
     taken, file = directory / "taken", directory / "file"
     taken.mkdir()
     file.write_text("")
@@ -144,9 +129,8 @@ def check_arguments(directory):
 
 def check_checkpoints(directory):
     run, checkpoint = directory / "run", directory / "run/checkpoint.h5"
-    quick = data / "scenarios/quick.json"
-    done = subprocess.run([program, "run", quick, "--out", run, "--frames", "2"], capture_output=True, text=True)
-    expect(done.returncode == 0 and done.stderr == "", f"a good run expected: {done.returncode}: {done.stderr}")
+    _, err = program.run("run", quick, "--out", run, "--frames", "2")
+    expect(err == "", f"a quiet run expected: {err}")
     expect((run / "frames.csv").read_text().count("\n") == 3, "two frames expected")
     again = ["run", "--resume", "--out", run]
     refused(directory, [*again, "--frames", "2"], ["--frames", "2"])
@@ -174,7 +158,6 @@ def check_checkpoints(directory):
 
 
 def check_comparisons(directory):
-    quick = data / "scenarios/quick.json"
     refused(directory, ["compare"], ["SCENARIO"])
     refused(directory, ["compare", quick, "--candidate", "x"], ["--candidate", "x"])
     refused(directory, ["compare", quick, "--candidate", "cpu", "--precision", "half"], ["--precision", "half"])
@@ -196,20 +179,20 @@ def check_comparisons(directory):
     refused(directory, bits, ["--mode bits", "hashes/copy.float.csv"])
     (directory / "hashes").mkdir()
     hashes = directory / "hashes/copy.float.csv"
-    subprocess.run([program, *map(str, bits), "--frames", "2", "--record", hashes], capture_output=True)
+    bits += ["--frames", "2"]
+    program.run(*bits, "--record", hashes)
     text = hashes.read_text()
     flipped = text[:-2] + ("0" if text[-2] != "0" else "1") + "\n"
     for content, code in [(text, 0), (flipped, 3)]:
         hashes.write_text(content)
         report = directory / "report.json"
-        done = subprocess.run([program, *map(str, bits), "--frames", "2", "--report", report], capture_output=True)
-        expect(done.returncode == code, f"exit code {code} expected: {done.returncode}, {done.stdout}")
-        expect(json.loads(report.read_text())["passed"] == (code == 0), "the verdict expected in the report")
+        program.run(*bits, "--report", report, code=code)
+        expect(program.read_json(report)["passed"] == (code == 0), "the verdict expected in the report")
     hashes.write_text(text.replace("scenario copy", "scenario other"))
     refused(directory, bits, [hashes, "line 1", "another scenario (other)"])
     hashes.write_text(text.replace("scenario_hash ", "scenario_hash 0"))
-    done = subprocess.run([program, *map(str, bits), "--frames", "2"], capture_output=True, text=True)
-    expect(done.returncode == 0 and "text has changed" in done.stdout, f"the same bits expected: {done.stdout}")
+    out, _ = program.run(*bits)
+    expect("text has changed" in out, f"the same bits expected: {out}")
 
 
 def check_suite(directory):
@@ -244,14 +227,12 @@ def check_suite(directory):
         refused(directory, ["verify", "--baseline", *out, "--data", directory], ["baseline.json", "not as it was written"])
 
 
-for scenario in sorted((data / "scenarios").glob("*.json")):
-    errors = [error.message for error in validator.iter_errors(json.loads(scenario.read_text()))]
-    expect(not errors, f"{scenario}: {errors}")
-    done = subprocess.run([program, "info", scenario], capture_output=True, text=True)
-    expect(done.returncode == 0 and done.stderr == "", f"{scenario}: {done.stderr}")
-for check in (check_files, check_arguments, check_checkpoints, check_comparisons, check_suite):
-    with tempfile.TemporaryDirectory() as scratch:
-        check(pathlib.Path(scratch))
-print("\n".join(failures))
-print(f"{len(failures)} of {checks} checks failed")
-sys.exit(bool(failures))
+def check_shipped_scenarios(_):
+    for scenario in sorted((data / "scenarios").glob("*.json")):
+        errors = [error.message for error in validator.iter_errors(program.read_json(scenario))]
+        expect(not errors, f"{scenario}: {errors}")
+        _, err = program.run("info", scenario)
+        expect(err == "", f"{scenario}: {err}")
+
+
+program.check_all(check_shipped_scenarios, check_files, check_arguments, check_checkpoints, check_comparisons, check_suite)

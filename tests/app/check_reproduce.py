@@ -1,35 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`aneurysm reproduce` from the outside: the items that need no long runs, what they write, bad input, Ctrl-C.
-
-usage: check_reproduce.py PROGRAM DATA
-"""
+"""`aneurysm reproduce` from the outside: the items that need no long runs, what they write, bad input, Ctrl-C."""
 import csv
 import html.parser
-import json
 import math
-import pathlib
 import signal
-import subprocess
-import sys
-import tempfile
 import time
 
-program, data = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
-scratch_directory = tempfile.TemporaryDirectory()
-scratch = pathlib.Path(scratch_directory.name)
-failures = []
-
-
-def expect(good, what):
-    if not good:
-        failures.append(what)
+import program
+from program import data, expect, read_json
 
 
 def reproduce(*arguments, code=0):
-    result = subprocess.run([program, "reproduce", *map(str, arguments)], capture_output=True, text=True,
-                            cwd=data.parent)
-    expect(result.returncode == code, f"{arguments}: exit code {result.returncode} instead of {code}: {result.stderr}")
-    return result
+    return program.run("reproduce", *arguments, code=code, cwd=data.parent)
+
+
+def read_rows(file):
+    with open(file, newline="") as lines:
+        return list(csv.DictReader(lines))
 
 
 class Page(html.parser.HTMLParser):
@@ -48,36 +35,34 @@ class Page(html.parser.HTMLParser):
             self.pictures += attributes["src"].startswith("data:image/png;base64,iVBOR")
 
 
-def check_items():
+def check_items(scratch):
     out = scratch / "paper"
-    result = reproduce("table1", "table2", "fig10", "--out", out)
-    expect("reproduction.html" in result.stdout, "the page isn't named")
+    items = ("table1", "table2", "fig10")
+    text, _ = reproduce(*items, "--out", out)
+    expect("reproduction.html" in text, "the page isn't named")
     page = Page()
     page.feed((out / "reproduction.html").read_text())
-    expect(page.ids == ["table1", "table2", "fig10"], f"sections {page.ids}")
+    expect(page.ids == list(items), f"sections {page.ids}")
     expect(page.pictures == 1, f"{page.pictures} pictures")
     expect((out / "fig10/fig10.png").read_bytes().startswith(b"\x89PNG"), "fig10.png is no PNG")
-    with open(out / "table1/table1.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
+    rows = read_rows(out / "table1/table1.csv")
     expect(len(rows) == 13 and all(row["same"] == "yes" for row in rows), f"table1.csv: {rows}")
-    calibrated = json.loads((data / "scenarios/calibrated.json").read_text())
-    base_scenario = json.loads((data / "scenarios/base.json").read_text())
-    growth = base_scenario["aneurysm"]["base_width_radii"] / 2 / calibrated["aneurysm"]["initial_radius_radii"]
-    with open(out / "fig10/fig10.csv", newline="") as file:
-        for row in csv.DictReader(file):
-            # the closed form worked out here
-            ratio = float(row["(R/R_0)^-sigma"])
-            base = 2 ** (math.log2(ratio) / -float(row["sigma"]))
-            expect(abs(base / growth - 1) < 1e-4, f"fig10.csv: R/R_0 {base}, not {growth}")
-            expect(abs(float(row["h / h_0 by (22)"]) / ratio - 1) < 1e-3, f"fig10.csv: {row}")
-    for item in ("table1", "table2", "fig10"):
-        section = json.loads((out / item / f"{item}.json").read_text())
-        expect(section["claims"] and all(claim["holds"] for claim in section["claims"]), f"{item}: {section['claims']}")
+    start = read_json(data / "scenarios/calibrated.json")["aneurysm"]["initial_radius_radii"]
+    growth = read_json(data / "scenarios/base.json")["aneurysm"]["base_width_radii"] / 2 / start
+    for row in read_rows(out / "fig10/fig10.csv"):
+        # the closed form worked out here
+        ratio = float(row["(R/R_0)^-sigma"])
+        base = 2 ** (math.log2(ratio) / -float(row["sigma"]))
+        expect(abs(base / growth - 1) < 1e-4, f"fig10.csv: R/R_0 {base}, not {growth}")
+        expect(abs(float(row["h / h_0 by (22)"]) / ratio - 1) < 1e-3, f"fig10.csv: {row}")
+    for item in items:
+        claims = read_json(out / item / f"{item}.json")["claims"]
+        expect(claims and all(claim["holds"] for claim in claims), f"{item}: {claims}")
 
 
-def check_calibrated_values():
+def check_calibrated_values(_):
     """What follows from other values is what its reason in the scenario says."""
-    scenario = json.loads((data / "scenarios/calibrated.json").read_text())
+    scenario = read_json(data / "scenarios/calibrated.json")
     r_0, inlet = scenario["vessel"]["radius_m"], scenario["inlet"]
     v_0, cycle = inlet["peak_velocity_m_s"], 0.8
 
@@ -95,34 +80,28 @@ def check_calibrated_values():
         near(v, v_0 * (1 + systole) / 2, 4, f"velocity at {t} s")
 
 
-def check_bad_input():
-    expect("ITEM: table5 not in {all,table1" in reproduce("table5", "--out", scratch / "x", code=2).stderr, "table5")
-    expect("--backend" in reproduce("fig9", "--backend", "gpu", "--out", scratch / "y", code=2).stderr, "--backend gpu")
-    reproduce("table1", "--seeds", 0, "--out", scratch / "z", code=2)
+def check_bad_input(scratch):
+    out = ["--out", scratch / "out"]
+    for arguments, named in [(["table5"], "ITEM: table5 not in {all,table1"), (["fig9", "--backend", "gpu"], "--backend"),
+                             (["table1", "--seeds", 0], "--seeds")]:
+        _, err = reproduce(*arguments, *out, code=2)
+        expect(named in err, f"'{named}' expected: {err}")
 
 
-def check_interruption():
-    out = scratch / "interrupted"
-    process = subprocess.Popen([program, "reproduce", "fig9", "--seeds", "1", "--out", str(out)], cwd=data.parent,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    frames = out / "runs/calibrated_unbreakable_seed1/frames.csv"
+def check_interruption(scratch):
+    process = program.start("reproduce", "fig9", "--seeds", "1", "--out", scratch / "out", cwd=data.parent)
+    run = scratch / "out/runs/calibrated_unbreakable_seed1"
+    frames = run / "frames.csv"
     for _ in range(1200):
         if frames.exists() and frames.read_text().count("\n") > 20:
             break
         time.sleep(0.1)
     process.send_signal(signal.SIGINT)
-    errors = process.communicate()[1]
+    _, errors = process.communicate()
     expect(process.returncode == 130, f"interrupted: exit code {process.returncode}: {errors}")
-    manifest = json.loads((frames.parent / "manifest.json").read_text())
+    manifest = read_json(run / "manifest.json")
     expect(manifest["status"] == "interrupted" and manifest["frames"] > 20, f"manifest: {manifest['status']}")
-    expect((frames.parent / "checkpoint.h5").exists(), "no checkpoint to go on from")
+    expect((run / "checkpoint.h5").exists(), "no checkpoint to go on from")
 
 
-check_items()
-check_calibrated_values()
-check_bad_input()
-check_interruption()
-if failures:
-    print("\n".join(failures))
-    sys.exit(1)
-print("the reproduction's command does what it says")
+program.check_all(check_items, check_calibrated_values, check_bad_input, check_interruption)
