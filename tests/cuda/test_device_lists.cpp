@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The optimized backend's lists of neighbors, which grow when a frame needs more room.
+#include "common/scenario/shipped.hpp"
 #include "cuda/simulation.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -13,7 +14,7 @@ namespace
 
 Scenario two_steps()
 {
-    Scenario scenario = read_scenario(ANEURYSM_DATA "/scenarios/quick.json");
+    Scenario scenario = shipped_scenario("quick");
     scenario.particles.count = 700;
     scenario.time.substeps = 2;
     return scenario;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The CUDA code on an emulated GPU: the same bits as the CPU's, whatever the size of its blocks, and in
 // whatever order its threads run. What a real one does with it `verification/gpu_check.sh` shows.
-#include "common/error.hpp"
+#include "common/scenario/shipped.hpp"
 #include "cuda/executor/executor_cpu.hpp"
 #include "cuda/simulation.hpp"
+#include "output/frames.hpp"
 #include "tests/emulated_gpu/simulation.hpp"
+#include "tests/support.hpp"
 
 #include <cuda_runtime.h>
-
-#include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace
 
 Scenario quick()
 {
-    Scenario scenario = read_scenario(ANEURYSM_DATA "/scenarios/quick.json");
+    Scenario scenario = shipped_scenario("quick");
     scenario.particles.count = 700;
     return scenario;
 }
@@ -34,37 +34,6 @@ std::unique_ptr<Simulation> on_cpu(const Scenario& scenario, Precision precision
                                    const std::optional<SimulationState>& state)
 {
     return device::make_cpu_simulation(scenario, precision, {}, state);
-}
-
-void check_same(const FrameRecord& a, const FrameRecord& b)
-{
-    BOOST_TEST(a.frame == b.frame);
-    BOOST_TEST((a.phase == b.phase));
-    BOOST_TEST(a.outlet_velocity == b.outlet_velocity);
-    BOOST_TEST(a.impact_force == b.impact_force);
-    BOOST_TEST(a.impact_force_eos == b.impact_force_eos);
-    BOOST_TEST(a.impact_particle == b.impact_particle);
-    BOOST_TEST(a.radius == b.radius);
-    BOOST_TEST(a.iterations == b.iterations);
-    BOOST_TEST(a.density_error_mean == b.density_error_mean);
-    BOOST_TEST(a.density_error_min == b.density_error_min);
-    BOOST_TEST(a.divergence_mean == b.divergence_mean);
-    BOOST_TEST(a.residual_max == b.residual_max);
-    BOOST_TEST(a.kinetic_energy == b.kinetic_energy);
-    BOOST_TEST(a.fluid == b.fluid);
-    BOOST_TEST(a.collisions == b.collisions);
-    BOOST_TEST(a.ledger.inlet_in == b.ledger.inlet_in);
-    BOOST_TEST(a.ledger.outlet_out == b.ledger.outlet_out);
-    BOOST_TEST(a.ledger.escaped == b.ledger.escaped);
-}
-
-void check_same(const SimulationState& a, const SimulationState& b)
-{
-    BOOST_TEST((a.particles.position == b.particles.position));
-    BOOST_TEST((a.particles.velocity == b.particles.velocity));
-    BOOST_TEST((a.particles.pressure == b.particles.pressure));
-    BOOST_TEST((a.particles.kind == b.particles.kind));
-    BOOST_TEST((a.outlet_velocity == b.outlet_velocity));
 }
 
 struct Way {
@@ -78,7 +47,7 @@ constexpr int frames = 3;
 
 void check_frames(const Scenario& scenario, Precision precision, const SimulationState& start, const Way& way)
 {
-    emulated_gpu::run_backwards(way.backwards);
+    emulated_gpu::behavior.runs_backwards = way.backwards;
     const auto gpu =
         emulated_gpu::simulate(scenario, {precision, way.block_size, way.computes_gradients}, start);
     const auto cpu = on_cpu(scenario, precision, start);
@@ -87,11 +56,11 @@ void check_frames(const Scenario& scenario, Precision precision, const Simulatio
         BOOST_TEST_CONTEXT(name_of(precision) << ", frame " << record.frame << ", blocks of "
                                               << way.block_size << (way.backwards ? ", backwards" : ""))
         {
-            check_same(record, cpu->advance());
-            check_same(gpu->state(), cpu->state());
+            BOOST_TEST(output::frames_row(record) == output::frames_row(cpu->advance()));
+            BOOST_TEST(output::state_hash(gpu->state()) == output::state_hash(cpu->state()));
         }
     }
-    emulated_gpu::run_backwards(false);
+    emulated_gpu::behavior.runs_backwards = false;
 }
 
 /// The state two frames before the first one that `is_wanted`: the graph that makes that one is replayed.
@@ -112,8 +81,6 @@ SimulationState state_before(const Scenario& scenario, Precision precision, Pred
     BOOST_FAIL("no such frame in 500");
     return {};
 }
-
-} // namespace
 
 /// With as many digits as fit, so that another order mostly gives another sum.
 std::vector<double> long_numbers(int count, unsigned seed)
@@ -148,25 +115,27 @@ double sum_on_cpu(const std::vector<double>& values, int actual)
     return sum;
 }
 
+} // namespace
+
 BOOST_AUTO_TEST_CASE(sums_have_the_bits_of_the_cpus)
 {
     for (const int n : sizes) {
         const std::vector<double> values = long_numbers(n, 1);
         for (const int actual : {n, n - n / 3, 0}) {
             for (const bool backwards : {false, true}) {
-                emulated_gpu::run_backwards(backwards);
+                emulated_gpu::behavior.runs_backwards = backwards;
                 BOOST_TEST(emulated_gpu::sum(values, actual, 64) == sum_on_cpu(values, actual));
             }
         }
     }
-    emulated_gpu::run_backwards(false);
+    emulated_gpu::behavior.runs_backwards = false;
     int misread = 0;
     for (unsigned seed = 1; seed <= 50; ++seed) {
         const std::vector<double> values = long_numbers(100, seed);
         BOOST_TEST(emulated_gpu::sum(values, 100, 64) == sum_on_cpu(values, 100));
-        emulated_gpu::misread_lanes(true);
+        emulated_gpu::behavior.misreads_lanes = true;
         misread += emulated_gpu::sum(values, 100, 64) != sum_on_cpu(values, 100) ? 1 : 0;
-        emulated_gpu::misread_lanes(false);
+        emulated_gpu::behavior.misreads_lanes = false;
     }
     BOOST_TEST(misread > 10);
 }
@@ -253,7 +222,7 @@ BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_in_periodic_domains)
     const std::pair<std::string, Precision> runs[] = {
         {"box", Precision::double_}, {"slip_channel", Precision::float_}, {"duct", Precision::float_}};
     for (const auto& [name, precision] : runs) {
-        Scenario scenario = read_scenario(ANEURYSM_DATA "/scenarios/verify_" + name + ".json");
+        Scenario scenario = shipped_scenario("verify_" + name);
         scenario.pressure.max_iterations = 20;
         SimulationState start = on_cpu(scenario, precision, {})->state();
         for (std::size_t i = 0; i < start.particles.size(); ++i) {
@@ -276,37 +245,33 @@ BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_when_lists_grow)
 BOOST_AUTO_TEST_CASE(a_sum_of_lanes_in_another_order_is_noticed)
 {
     const SimulationState start = on_cpu(quick(), Precision::float_, {})->state();
-    emulated_gpu::misread_lanes(true);
+    emulated_gpu::behavior.misreads_lanes = true;
     const auto gpu = emulated_gpu::simulate(quick(), {Precision::float_}, start);
     const auto cpu = on_cpu(quick(), Precision::float_, start);
     gpu->advance();
     cpu->advance();
-    emulated_gpu::misread_lanes(false);
+    emulated_gpu::behavior.misreads_lanes = false;
     BOOST_TEST((gpu->state().particles.velocity != cpu->state().particles.velocity));
 }
 
 BOOST_AUTO_TEST_CASE(errors_name_device_call_place_and_cause)
 {
     const SimulationState start = on_cpu(quick(), Precision::float_, {})->state();
-    const auto message = [&start](int block_size) -> std::string {
-        try {
+    const auto message = [&start](int block_size) {
+        return test::message_of([&] {
             emulated_gpu::simulate(quick(), {Precision::float_, block_size}, start);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        });
     };
     BOOST_TEST(message(0).empty());
     for (const int block_size : {-32, 100, 512}) {
         BOOST_TEST(message(block_size).starts_with("--block-size: " + std::to_string(block_size)));
     }
-    emulated_gpu::refuse_memory(true);
+    emulated_gpu::behavior.refuses_memory = true;
     const std::string refused = message(0);
-    emulated_gpu::refuse_memory(false);
-    BOOST_TEST_MESSAGE(refused);
+    emulated_gpu::behavior.refuses_memory = false;
     for (const char* part : {"GPU 0 (emulated): cudaMalloc of ", " bytes failed at executor_gpu.hpp:",
                              ": an error of the emulated GPU", "; fewer particles"}) {
-        BOOST_TEST(refused.find(part) != std::string::npos);
+        BOOST_TEST(test::contains(refused, part));
     }
 }
 
@@ -318,13 +283,13 @@ BOOST_AUTO_TEST_CASE(a_frame_is_one_graph_of_as_many_kernels_for_any_number_of_p
         Scenario scenario = quick();
         scenario.particles.count = count;
         const SimulationState start = on_cpu(scenario, Precision::float_, {})->state();
-        emulated_gpu::execute(false);
+        emulated_gpu::behavior.executes = false;
         const auto gpu = emulated_gpu::simulate(scenario, {Precision::float_}, start);
         gpu->advance();
-        emulated_gpu::last_asked();
-        gpu->advance();
-        asked.push_back(emulated_gpu::last_asked());
-        emulated_gpu::execute(true);
+        emulated_gpu::asked = {};
+        gpu->advance(); // as a graph
+        asked.push_back(emulated_gpu::asked);
+        emulated_gpu::behavior.executes = true;
     }
     BOOST_TEST(asked[0].kernels > 0);
     BOOST_TEST(asked[0].kernels == asked[1].kernels);
