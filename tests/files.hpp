@@ -2,12 +2,10 @@
 // What the tests of files share.
 #pragma once
 
-#include "common/error.hpp"
 #include "common/file.hpp"
-#include "common/scenario/scenario.hpp"
+#include "common/scenario/shipped.hpp"
 #include "output/columns.hpp"
-
-#include <boost/test/unit_test.hpp>
+#include "tests/support.hpp"
 
 #include <array>
 #include <bit>
@@ -40,7 +38,7 @@ struct Scratch {
 
 inline Scenario scenario()
 {
-    return read_scenario(fs::path(ANEURYSM_DATA) / "scenarios/quick.json");
+    return shipped_scenario("quick");
 }
 
 inline void write_text(const fs::path& file, const std::string& text)
@@ -117,23 +115,6 @@ inline FrameRecord any_record(std::int64_t frame)
     visit_record(r, [&](std::string_view, auto& x) { set(numbers, x); });
     r.frame = frame;
     return r;
-}
-
-template <class Action>
-std::string message_of(Action action)
-{
-    try {
-        action();
-    } catch (const Error& error) {
-        BOOST_TEST_MESSAGE(error.what());
-        return error.what();
-    }
-    return "";
-}
-
-inline bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
 }
 
 } // namespace aneurysm::test

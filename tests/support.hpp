@@ -3,13 +3,14 @@
 // assert that it holds for the reference and fails for a mutant of it.
 #pragma once
 
-#include "analytic/gsl.hpp"
+#include "common/error.hpp"
 #include "common/vec3.hpp"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace aneurysm::test
 {
@@ -32,12 +33,6 @@ inline bool within(double value, double expected, double tolerance)
     return error <= tolerance;
 }
 
-/// The same against an oracle that bounds its own error; `relative` is the candidate's own.
-inline bool within(double value, const analytic::Estimate& expected, double relative)
-{
-    return within(value, expected.value, expected.error + relative * std::abs(expected.value));
-}
-
 /// Largest magnitude among the components of a difference.
 inline double distance(const Vec3& a, const Vec3& b)
 {
@@ -50,6 +45,24 @@ template <class Function>
 auto off_by(double relative, Function function)
 {
     return [=](const auto&... arguments) { return (1 + relative) * function(arguments...); };
+}
+
+/// What the error says that action() ends in; nothing when it ends well.
+template <class Action>
+std::string message_of(Action action)
+{
+    try {
+        action();
+    } catch (const Error& error) {
+        BOOST_TEST_MESSAGE(error.what());
+        return error.what();
+    }
+    return "";
+}
+
+inline bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
 }
 
 } // namespace aneurysm::test

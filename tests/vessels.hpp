@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of geometry, sampling and simulation share: shipped scenarios, Table 2, random points.
+// What the tests of geometry, sampling and simulation share: vessels of shipped scenarios, Table 2, random points.
 #pragma once
 
-#include "common/scenario/scenario.hpp"
+#include "common/scenario/shipped.hpp"
 #include "common/vessel/geometry.hpp"
 #include "reference/bifurcation.hpp"
 #include "tests/support.hpp"
@@ -12,16 +12,9 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
-#include <string>
 
 namespace aneurysm::test
 {
-
-/// data/scenarios/<name>.json
-inline Scenario shipped_scenario(const std::string& name)
-{
-    return read_scenario(std::string(ANEURYSM_SOURCE_DIR) + "/data/scenarios/" + name + ".json");
-}
 
 /// Table 2, in artery radii.
 struct SacWidths {
@@ -32,6 +25,8 @@ struct SacWidths {
 inline constexpr std::array table_2{SacWidths{SacShape::hemispherical, 1.6, 1.6},
                                     SacWidths{SacShape::spherical, 1.2, 2.4},
                                     SacWidths{SacShape::piriform, 1.2, 1.6}};
+/// Those and none at all.
+inline constexpr std::array sacs{table_2[0], table_2[1], table_2[2], SacWidths{}};
 
 /// The same scenario with another sac; without one for the default argument.
 inline Scenario with_sac(Scenario scenario, const SacWidths& sac = {})

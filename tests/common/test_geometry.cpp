@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Section 3.4: the wall as a signed distance function. Its measures are in test_vessel.cpp.
 #include "common/vessel/geometry.hpp"
-#include "tests/support.hpp"
 #include "tests/vessels.hpp"
 
 #include <algorithm>

@@ -1,25 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The straight domains that verification runs in: their lattices, walls and seams.
-#include "common/error.hpp"
 #include "common/vessel/initial_state.hpp"
 #include "reference/simulation.hpp"
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <string>
+#include "tests/vessels.hpp"
 
 using namespace aneurysm;
+using namespace aneurysm::test;
 
 namespace
 {
 
 Scenario scenario(const std::string& name)
 {
-    return read_scenario(std::filesystem::path(ANEURYSM_SOURCE_DIR) / "data/scenarios" /
-                         ("verify_" + name + ".json"));
+    return shipped_scenario("verify_" + name);
 }
 
 std::int64_t count(const SimulationState& state, Kind kind)
@@ -74,52 +67,8 @@ BOOST_AUTO_TEST_CASE(places_return_through_the_seams)
     BOOST_TEST(inside.z == 0.25 * edge.z);
 }
 
-BOOST_AUTO_TEST_CASE(uniform_motion_carries_the_lattice_through_the_seams)
+BOOST_AUTO_TEST_CASE(fewer_particles_than_cells_are_refused)
 {
-    const Scenario s = scenario("box");
-    SimulationState state = reference::Simulation(s).state();
-    const Vec3 v{2, -1, 0.5}; // multiples of a power of two: a lattice that moves stays exact
-    std::ranges::fill(state.particles.velocity, v);
-    const SimulationState start = state;
-    reference::Simulation box(s, std::move(state));
-    const Vec3 edge = Vessel(s, 0.1).extent();
-    for (int frame = 1; frame <= 100; ++frame) {
-        BOOST_TEST(box.advance().density_error_max < 1e-12);
-    }
-    const auto moved = [&](double x, double way, double L) {
-        return x + way - L * std::floor((x + way) / L);
-    };
-    for (std::size_t i = 0; i < start.particles.size(); ++i) {
-        const Vec3& x = start.particles.position[i];
-        const Vec3 expected{moved(x.x, 0.2, edge.x), moved(x.y, -0.1, edge.y), moved(x.z, 0.05, edge.z)};
-        const Vec3 d = box.state().particles.position[i] - expected;
-        // 100 additions of numbers below the edge
-        BOOST_REQUIRE(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) < 100 * 0x1p-53 * edge.x);
-    }
-}
-
-BOOST_AUTO_TEST_CASE(contradictions_are_refused)
-{
-    const auto refused = [](const std::string& path, auto&& change) {
-        Scenario s = scenario("channel");
-        change(s);
-        try {
-            validate(s, "test");
-        } catch (const InputError& error) {
-            return std::string(error.what()).find(path) != std::string::npos;
-        }
-        return false;
-    };
-    BOOST_TEST(!refused("", [](Scenario&) {}));
-    BOOST_TEST(refused("domain.spacing_m", [](Scenario& s) { s.domain.spacing_m = 0; }));
-    BOOST_TEST(refused("domain.cells_x", [](Scenario& s) { s.domain.cells_x = 5; }));
-    BOOST_TEST(refused("domain.cells_x",
-                       [](Scenario& s) { s.domain.form = DomainForm::artery, s.domain.spacing_m = 0; }));
-    BOOST_TEST(refused("aneurysm.shape", [](Scenario& s) { s.aneurysm.shape = SacShape::spherical; }));
-    BOOST_TEST(refused("domain.cells_z", [](Scenario& s) {
-        s.domain.form = DomainForm::tube;
-        s.domain.cells_z = 8;
-    }));
     Scenario few = scenario("channel");
     few.particles.count = 575;
     BOOST_CHECK_THROW(reference::Simulation{few}, InputError);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs of other scenarios than the paper's own: pressure models, kernels, waveforms, shapes, angles, and what
-// ends a run or refuses to start it.
-#include "common/error.hpp"
+// ends a run or refuses to start it. What a run of scenario `quick` does is checked by the suite: eq25_bookkeeping,
+// eq03_iteration_count, restart, and the hashes of its baseline.
 #include "common/scenario/limits.hpp"
+#include "output/frames.hpp"
 #include "reference/incompressible.hpp"
 #include "reference/simulation.hpp"
-#include "tests/runs.hpp"
-#include "tests/support.hpp"
 #include "tests/vessels.hpp"
 
 #include <algorithm>
@@ -18,6 +17,23 @@ using namespace aneurysm::test;
 
 namespace
 {
+
+/// Frames and the state after the last of them.
+struct Run {
+    Scenario scenario;
+    std::vector<FrameRecord> frames;
+    SimulationState end;
+};
+
+Run run(const Scenario& scenario, reference::Simulation simulation, int frames)
+{
+    Run result{scenario, {}, {}};
+    for (int n = 0; n < frames; ++n) {
+        result.frames.push_back(simulation.advance());
+    }
+    result.end = simulation.state();
+    return result;
+}
 
 /// Scenario `quick` with fewer iterations, so that it starts sooner.
 Scenario short_scenario()
@@ -37,28 +53,17 @@ const SimulationState& settled()
 /// What the error says when the scenario is refused; empty when it isn't.
 std::string refusal(const Scenario& scenario)
 {
-    try {
-        const reference::Simulation unused(scenario, settled());
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
-}
-
-bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
+    return message_of([&] { const reference::Simulation unused(scenario, settled()); });
 }
 
 /// The number of particles stays, none is outside, and all are somewhere.
 bool is_sound(const Run& run)
 {
-    return std::ranges::all_of(run.frames,
-                               [&](const FrameRecord& f) {
-                                   return f.total == run.scenario.particles.count && f.outside == 0;
-                               }) &&
-           std::ranges::all_of(run.states.back().particles.position,
-                               [](const Vec3& x) { return is_finite(x); });
+    const auto is_good = [&](const FrameRecord& f) {
+        return f.total == run.scenario.particles.count && f.outside == 0;
+    };
+    return std::ranges::all_of(run.frames, is_good) &&
+           std::ranges::all_of(run.end.particles.position, is_finite<double>);
 }
 
 } // namespace
@@ -84,7 +89,7 @@ BOOST_AUTO_TEST_CASE(the_papers_equation_of_state_blows_up_and_leaves_the_last_g
 
     BOOST_TEST(contains(message, "frame " + std::to_string(last.frame + 1) + ", particle "));
     BOOST_TEST(contains(message, "density"));
-    BOOST_TEST(same_bits(simulation.state(), last));
+    BOOST_TEST(output::state_hash(simulation.state()) == output::state_hash(last));
     BOOST_TEST(last.frame > 0);
 }
 
@@ -94,8 +99,7 @@ BOOST_AUTO_TEST_CASE(a_stiff_equation_of_state_holds_the_blood)
     scenario.pressure.model = PressureModel::eos;
     scenario.pressure.stiffness_m2_s2 = 100.0 * 100; // the square of the speed of sound
     scenario.time.substeps = 4;
-    reference::Simulation simulation(scenario, settled());
-    const Run stiff = run(scenario, simulation, 100);
+    const Run stiff = run(scenario, {scenario, settled()}, 100);
     const auto highest = std::ranges::max(stiff.frames, {}, &FrameRecord::density_error_max);
     BOOST_TEST_MESSAGE("largest density error " << highest.density_error_max << " in frame "
                                                 << highest.frame);
@@ -112,7 +116,7 @@ BOOST_AUTO_TEST_CASE(wendland_kernel_runs_below_its_own_relaxation_limit)
     BOOST_TEST_MESSAGE("relaxation limit " << limit);
     scenario.pressure.relaxation = 0.7 * limit;
 
-    BOOST_TEST(is_sound(run(scenario, 50)));
+    BOOST_TEST(is_sound(run(scenario, reference::Simulation(scenario), 50)));
 }
 
 BOOST_AUTO_TEST_CASE(a_relaxation_at_its_limit_is_refused)
@@ -136,7 +140,6 @@ BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_with_the_substeps_that_ar
         BOOST_TEST_REQUIRE(needed > 1);
         scenario.time.substeps = needed - 1;
         const std::string message = refusal(scenario);
-        BOOST_TEST_MESSAGE(message);
         BOOST_TEST(contains(message, "time.substeps: " + std::to_string(needed - 1)));
         BOOST_TEST(contains(message, "at least " + std::to_string(needed)));
         scenario.time.substeps = needed;
@@ -160,19 +163,18 @@ BOOST_AUTO_TEST_CASE(books_are_kept_through_both_halves_of_the_cycle)
     scenario.rupture.yield_limit_pa = 1e6; // never ruptures
     SimulationState late = settled();
     late.frame = 320; // the inlet turns at 400
-    reference::Simulation simulation(scenario, late);
-    const Run cycle = run(scenario, simulation, 290);
+    const std::int64_t fluid = std::ranges::count(late.particles.kind, Kind::fluid);
+    const Run cycle = run(scenario, {scenario, late}, 290);
     const auto balanced = [&](auto gained) {
-        std::int64_t fluid = std::ranges::count(cycle.states[0].particles.kind, Kind::fluid);
         return std::ranges::all_of(cycle.frames,
                                    [&](const FrameRecord& f) { return f.fluid == fluid + gained(f.ledger); });
     };
     const Ledger& half = cycle.frames[79].ledger;
-    const Ledger& end = cycle.frames.back().ledger;
-    BOOST_TEST_MESSAGE("in " << end.inlet_in << " back " << end.inlet_out << " out " << end.outlet_out
-                             << " back " << end.outlet_in << " missed " << end.missed);
+    const FrameRecord& last = cycle.frames.back();
+    const Ledger& end = last.ledger;
 
     BOOST_TEST(is_sound(cycle));
+    BOOST_TEST(last.total - last.active == std::ranges::count(cycle.end.particles.kind, Kind::reserve));
     BOOST_TEST(half.inlet_in > 0);
     BOOST_TEST(half.outlet_out > 0);
     BOOST_TEST(end.inlet_out > half.inlet_out);
@@ -181,14 +183,13 @@ BOOST_AUTO_TEST_CASE(books_are_kept_through_both_halves_of_the_cycle)
         balanced([](const Ledger& l) { return l.inlet_in - l.inlet_out + l.outlet_in - l.outlet_out; }));
     BOOST_TEST(!balanced([](const Ledger& l) { return l.inlet_in + l.outlet_in - l.outlet_out; }));
     BOOST_TEST(!balanced([](const Ledger& l) { return l.inlet_in - l.inlet_out - l.outlet_out; }));
-    BOOST_TEST(!balanced([](const Ledger& l) { return -l.inlet_out + l.outlet_in - l.outlet_out; }));
-    BOOST_TEST(!balanced([](const Ledger& l) { return l.inlet_in - l.inlet_out + l.outlet_in; }));
 }
 
 BOOST_AUTO_TEST_CASE(all_shapes_and_angles_start_and_run)
 {
-    for (const SacWidths& sac : {table_2[0], table_2[1], table_2[2], SacWidths{}}) {
-        const Run started = run(with_sac(short_scenario(), sac), 3);
+    for (const SacWidths& sac : sacs) {
+        const Scenario scenario = with_sac(short_scenario(), sac);
+        const Run started = run(scenario, reference::Simulation(scenario), 3);
         BOOST_TEST(is_sound(started));
         BOOST_TEST((started.frames.back().critical_pressure > 0) == (sac.shape != SacShape::none));
     }
@@ -196,13 +197,13 @@ BOOST_AUTO_TEST_CASE(all_shapes_and_angles_start_and_run)
         Scenario scenario = short_scenario();
         scenario.vessel.angle_deg = angle;
         scenario.particles.count = 1999;
-        BOOST_TEST(is_sound(run(scenario, 3)));
+        BOOST_TEST(is_sound(run(scenario, reference::Simulation(scenario), 3)));
     }
 }
 
 BOOST_AUTO_TEST_CASE(the_soundness_that_is_asked_for_above_can_fail)
 {
-    Run broken{short_scenario(), {FrameRecord{}}, {settled()}};
+    Run broken{short_scenario(), {FrameRecord{}}, settled()};
     broken.frames[0].total = broken.scenario.particles.count;
     BOOST_TEST(is_sound(broken));
     broken.frames[0].outside = 1;
@@ -211,6 +212,6 @@ BOOST_AUTO_TEST_CASE(the_soundness_that_is_asked_for_above_can_fail)
     broken.frames[0].total -= 1;
     BOOST_TEST(!is_sound(broken));
     broken.frames[0].total += 1;
-    broken.states[0].particles.position[5].y = std::nan("");
+    broken.end.particles.position[5].y = std::nan("");
     BOOST_TEST(!is_sound(broken));
 }

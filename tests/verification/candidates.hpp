@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Candidates for the comparisons: the reference itself, rounded to float or its mutants.
+// Candidates for the comparisons: the reference itself, rounded to float or with faults; and what is found in them.
 #pragma once
 
 #include "common/simulation.hpp"
 #include "reference/simulation.hpp"
 #include "tests/vessels.hpp"
 #include "verification/backends/float_state.hpp"
+#include "verification/comparison/lockstep.hpp"
 
 #include <functional>
 #include <string>
@@ -91,5 +92,23 @@ private:
     reference::Simulation simulation_;
     Frame frame_;
 };
+
+inline bool go_on(const FrameRecord&)
+{
+    return true;
+}
+
+inline comparison::ComparisonResult lockstep(const Scenario& scenario, Simulation& candidate, int frames)
+{
+    return comparison::compare_lockstep(scenario, candidate, frames, go_on);
+}
+
+/// Whether the comparison failed, and in this field.
+inline bool is_red(const comparison::ComparisonResult& result, std::string_view name)
+{
+    const auto field =
+        std::ranges::find_if(result.fields, [&](const auto& f) { return f.worst.name == name; });
+    return !result.passed() && field != result.fields.end() && field->worst.failed > 0;
+}
 
 } // namespace aneurysm::test

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The comparison of bits: against another executor and against recorded hashes; one bit is a failure.
-#include "output/file.hpp"
 #include "tests/files.hpp"
-#include "tests/support.hpp"
 #include "tests/verification/candidates.hpp"
 #include "verification/comparison/bits.hpp"
 
@@ -10,7 +8,6 @@
 
 using namespace aneurysm;
 using namespace aneurysm::test;
-using namespace aneurysm;
 
 namespace
 {
@@ -27,11 +24,6 @@ const SimulationState& start()
 {
     static const SimulationState state = reference::Simulation(quick()).state();
     return state;
-}
-
-bool go_on(const FrameRecord&)
-{
-    return true;
 }
 
 /// The last bit of one number, in frame 2 only.
