@@ -7,14 +7,17 @@
 #include "common/error.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
+#include "common/process/subprocess.hpp"
+#include "output/file.hpp"
 #include "output/pictures/display.hpp"
-#include "output/pictures/video.hpp"
 
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 namespace aneurysm::app
 {
@@ -132,6 +135,30 @@ fs::path make_directory(const RenderOptions& options)
     return directory;
 }
 
+/// A WebM file with VP9, which browsers play; it has its name only once it is finished. ffmpeg has a session
+/// of its own, since Ctrl-C is for this program, and one thread, so that the same pictures make the same
+/// bytes. \throws Error
+void write_video(const fs::path& file, const std::vector<std::string>& pictures, int rate)
+{
+    const fs::path list = file.string() + ".list.tmp";
+    const fs::path unfinished = file.string() + ".tmp";
+    std::string text;
+    for (const std::string& picture : pictures) {
+        text += "file '" + picture + "'\n";
+    }
+    write_atomically(list, text);
+    std::istringstream options(
+        "setsid ffmpeg -nostdin -loglevel error -y -f concat -r " + std::to_string(rate) +
+        " -i LIST -c:v libvpx-vp9 -crf 24 -b:v 0 -cpu-used 4 -threads 1 -pix_fmt yuv420p "
+        "-fflags +bitexact -flags +bitexact -f webm");
+    std::vector<std::string> command(std::istream_iterator<std::string>(options), {});
+    *std::ranges::find(command, "LIST") = list;
+    command.push_back(unfinished);
+    aneurysm::run_program(command, "needed for videos: Debian's package ffmpeg, and enough space");
+    fs::remove(list);
+    fs::rename(unfinished, file);
+}
+
 /// One file for each frame and state, and videos of them. \return whether it came to the end
 bool draw_series(const RenderOptions& options, const Plan& plan, const fs::path& directory)
 {
@@ -140,25 +167,19 @@ bool draw_series(const RenderOptions& options, const Plan& plan, const fs::path&
     Progress progress("picture", 0, static_cast<std::int64_t>(frames.size() * plan.states.size()));
     std::int64_t done = 0;
     for (const State state : plan.states) {
-        std::optional<pictures::Video> video;
-        if (options.animation && pictures::can_write_video()) {
-            video.emplace(directory / (name_of(state) + ".webm"), plan.studio.width, plan.studio.height,
-                          options.rate);
-        }
+        std::vector<std::string> names;
         for (const std::int64_t frame : frames) {
             if (InterruptWatch::interrupted()) {
                 return false;
             }
             const pictures::Image image =
                 studio.draw(frame, state, plan.labels.front() + ", frame " + std::to_string(frame));
-            pictures::write_png(directory / (name_of(state) + "_" + six_digits(frame) + ".png"), image);
-            if (video) {
-                video->add(image);
-            }
+            names.push_back(name_of(state) + "_" + six_digits(frame) + ".png");
+            pictures::write_png(directory / names.back(), *image);
             progress.show(++done, name_of(state));
         }
-        if (video) {
-            video->finish();
+        if (options.animation) {
+            write_video(directory / (name_of(state) + ".webm"), names, options.rate);
         }
     }
     return true;
@@ -200,8 +221,7 @@ bool draw_sheet(const RenderOptions& options, const Plan& plan, const fs::path& 
     const bool bar = plan.states.front() == State::particles;
     const int font = std::max(9, std::min(width, height) / 26);
     const int strip = bar ? 6 * font / 2 * 2 : 0;
-    pictures::Image sheet(columns * width, rows * height + strip);
-    std::ranges::fill(sheet.rgb, std::uint8_t{255});
+    const pictures::Image sheet = pictures::blank(columns * width, rows * height + strip);
     std::unique_ptr<Studio> studio;
     Progress progress("tile", 0, static_cast<std::int64_t>(count) * states);
     for (int i = 0; i < count; ++i) {
@@ -215,18 +235,19 @@ bool draw_sheet(const RenderOptions& options, const Plan& plan, const fs::path& 
                 return false;
             }
             const State state = plan.states[static_cast<std::size_t>(s)];
-            pictures::paste(sheet, studio->draw(tile.frame, state, title_of(plan, tile)), i % columns * width,
-                            (i / columns * states + s) * height);
+            const pictures::Image drawn = studio->draw(tile.frame, state, title_of(plan, tile));
+            const int row = i / columns * states + s;
+            pictures::paste(*sheet, *drawn, i % columns * width, strip + (rows - 1 - row) * height);
             progress.show(static_cast<std::int64_t>(i) * states + s + 1, name_of(state));
         }
     }
     studio.reset();
     if (bar) {
-        pictures::paste(sheet,
-                        color_bar_strip(sheet.width, strip, font, plan.studio.quantity, plan.studio.range), 0,
-                        rows * height);
+        const pictures::Image drawn =
+            color_bar_strip(columns * width, strip, font, plan.studio.quantity, plan.studio.range);
+        pictures::paste(*sheet, *drawn, 0, 0);
     }
-    pictures::write_png(file, sheet);
+    pictures::write_png(file, *sheet);
     return true;
 }
 
@@ -234,14 +255,9 @@ void report(const RenderOptions& options, const Plan& plan, const fs::path& dire
 {
     std::cout << "Pictures in " << directory.string() << "\n";
     for (const State state : plan.states) {
-        if (options.animation && pictures::can_write_video()) {
+        if (options.animation) {
             std::cout << "  " << name_of(state) << ".webm (VP9, " << options.rate << " pictures a second)\n";
         }
-    }
-    if (options.animation && !pictures::can_write_video()) {
-        std::cout
-            << "  no video: this build is without libavcodec's VP9; the numbered pictures make one with\n"
-               "  ffmpeg -pattern_type glob -i 'particles_*.png' particles.webm\n";
     }
 }
 

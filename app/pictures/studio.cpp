@@ -3,12 +3,12 @@
 
 #include "common/vessel/initial_state.hpp"
 #include "output/columns.hpp"
+#include "output/report/numbers.hpp"
 #include "reference/bifurcation.hpp"
 
 #include <vtkRenderer.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace aneurysm::app
 {
@@ -23,13 +23,6 @@ double spacing_of(const Scenario& scenario, const Vessel& vessel)
         .spacing;
 }
 
-std::string text(const char* format, double number)
-{
-    std::array<char, 64> buffer{};
-    const int size = std::snprintf(buffer.data(), buffer.size(), format, number); // NOLINT
-    return {buffer.data(), static_cast<std::size_t>(size)};
-}
-
 /// Whether a view leaves its lower corners to chart and color bar.
 bool is_whole(pictures::View view)
 {
@@ -40,9 +33,10 @@ bool is_whole(pictures::View view)
 
 std::string numbers_of(const FrameRecord& r)
 {
-    return text("t = %.3f s", r.time) + "   " + std::string(name_of(r.phase)) +
-           text("   F_b = %.4g N", r.impact_force) + text("   P_c = %.4g Pa", r.critical_pressure) +
-           text("   R = %.4g m", r.radius) + text("   h = %.4g mm", 1000 * r.thickness);
+    using report::printed;
+    return printed("t = %.3f s", r.time) + "   " + std::string(name_of(r.phase)) +
+           printed("   F_b = %.4g N", r.impact_force) + printed("   P_c = %.4g Pa", r.critical_pressure) +
+           printed("   R = %.4g m", r.radius) + printed("   h = %.4g mm", 1000 * r.thickness);
 }
 
 Vessel vessel_of(const Scenario& scenario)

@@ -72,11 +72,11 @@ int view(const ViewOptions& options)
     worker.set_running(!options.paused);
     window.run(keys);
     if (!options.picture.empty()) {
-        if (window.picture().rgb.empty()) {
+        if (window.picture() == nullptr) {
             throw Error(options.picture.string(), "no picture: the window was closed by other means",
                         "needed: the key q");
         }
-        pictures::write_png(options.picture, window.picture());
+        pictures::write_png(options.picture, *window.picture());
     }
     std::cout << "Closed at frame " << window.frame() << " of " << last << std::endl;
     return worker.status().error.empty() ? exit_done : exit_failed;

@@ -157,7 +157,7 @@ void Window::save() const
 {
     const std::string file = scenario_.name + "_" + std::to_string(frame()) + ".png";
     try {
-        pictures::write_png(file, pictures::picture_of(*window_));
+        pictures::write_png(file, *pictures::picture_of(*window_));
         std::cout << "Saved " << file << std::endl;
     } catch (const std::exception& error) { // no reason to lose the run
         std::cerr << "aneurysm: " << error.what() << std::endl;

@@ -30,7 +30,7 @@ public:
     void run(const std::vector<std::string>& keys);
 
     std::int64_t frame() const { return snapshot_.record.frame; } ///< that is shown
-    /// What it showed when q closed it; empty when it was closed otherwise.
+    /// What it showed when q closed it; null when it was closed otherwise.
     const pictures::Image& picture() const { return closing_; }
 
 private:

@@ -3,7 +3,7 @@
 
 #include "common/error.hpp"
 
-#include <charconv>
+#include <sstream>
 
 namespace aneurysm::app
 {
@@ -17,12 +17,11 @@ constexpr int most = 4096; // twice as many are drawn; OpenGL's textures end at 
 std::optional<Size> size_of(const std::string& word)
 {
     const auto good = [](int n) { return n >= least && n <= most && n % 2 == 0; };
+    std::istringstream text(word);
     Size size;
-    const char* const end = word.data() + word.size();
-    const auto first = std::from_chars(word.data(), end, size.width);
-    const bool cross = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
-    const auto second = cross ? std::from_chars(first.ptr + 1, end, size.height) : first;
-    const bool whole = cross && second.ec == std::errc() && second.ptr == end;
+    char cross = 0;
+    text >> size.width >> cross >> size.height;
+    const bool whole = text && text.eof() && cross == 'x';
     return whole && good(size.width) && good(size.height) ? std::optional(size) : std::nullopt;
 }
 

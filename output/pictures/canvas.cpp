@@ -2,17 +2,59 @@
 #include "output/pictures/canvas.hpp"
 
 #include "common/error.hpp"
+#include "output/file.hpp"
 
+#include <vtkImageShrink3D.h>
 #include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
-
-#include <algorithm>
 
 namespace aneurysm::pictures
 {
 
+Image blank(int width, int height)
+{
+    auto image = Image::New();
+    image->SetDimensions(width, height, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    image->GetPointData()->GetScalars()->Fill(255);
+    return image;
+}
+
+void paste(vtkImageData& whole, vtkImageData& part, int x, int y)
+{
+    const int* const size = part.GetDimensions();
+    part.SetExtent(x, x + size[0] - 1, y, y + size[1] - 1, 0, 0);
+    whole.CopyAndCastFrom(&part, part.GetExtent());
+}
+
+void write_png(const std::filesystem::path& file, vtkImageData& image)
+{
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetInputData(&image);
+    writer->WriteToMemoryOn();
+    writer->Write();
+    vtkUnsignedCharArray& bytes = *writer->GetResult();
+    const auto* const first = reinterpret_cast<const char*>(bytes.GetPointer(0)); // NOLINT
+    output::write_atomically(file, {first, static_cast<std::size_t>(bytes.GetNumberOfValues())});
+}
+
+Image picture_of(vtkRenderWindow& window)
+{
+    const int* const size = window.GetSize();
+    Image image = blank(size[0], size[1]);
+    auto& pixels = *vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
+    const vtkIdType wanted = pixels.GetNumberOfValues();
+    if (window.GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, &pixels) == 0 ||
+        pixels.GetNumberOfValues() != wanted) {
+        throw Error("picture", "cannot be read back from OpenGL", "needed: OpenGL 3.2 (libgl1-mesa-dri)");
+    }
+    return image;
+}
+
 Canvas::Canvas(int width, int height, int samples)
-    : height_(height), samples_(samples), window_(vtkSmartPointer<vtkRenderWindow>::New())
+    : samples_(samples), window_(vtkSmartPointer<vtkRenderWindow>::New())
 {
     window_->SetOffScreenRendering(1);
     window_->SetMultiSamples(0); // peeling of translucent layers can't have them
@@ -23,23 +65,12 @@ Canvas::Canvas(int width, int height, int samples)
 Image Canvas::draw()
 {
     window_->Render();
-    return reduced(picture_of(*window_), samples_);
-}
-
-Image picture_of(vtkRenderWindow& window)
-{
-    const int* const size = window.GetSize();
-    Image image(size[0], size[1]);
-    vtkNew<vtkUnsignedCharArray> pixels;
-    if (window.GetPixelData(0, 0, image.width - 1, image.height - 1, 0, pixels) == 0 ||
-        static_cast<std::size_t>(pixels->GetNumberOfValues()) != image.rgb.size()) {
-        throw Error("picture", "cannot be read back from OpenGL", "needed: OpenGL 3.2 (libgl1-mesa-dri)");
-    }
-    for (int y = 0; y < image.height; ++y) { // OpenGL begins at the bottom
-        std::copy_n(pixels->GetPointer(3 * static_cast<vtkIdType>(image.width) * (image.height - 1 - y)),
-                    3 * image.width, image.row(y));
-    }
-    return image;
+    vtkNew<vtkImageShrink3D> mean;
+    mean->SetInputData(picture_of(*window_));
+    mean->SetShrinkFactors(samples_, samples_, 1);
+    mean->AveragingOn();
+    mean->Update();
+    return mean->GetOutput();
 }
 
 } // namespace aneurysm::pictures

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <sys/types.h>
+#include <cstdio>
+
+struct _XDisplay; // of X11/Xlib.h, whose macros no other header would stand
 
 namespace aneurysm::pictures
 {
@@ -22,7 +24,8 @@ public:
     PrivateDisplay& operator=(PrivateDisplay&&) = delete;
 
 private:
-    pid_t server_ = -1;
+    std::FILE* server_;               ///< what it prints
+    _XDisplay* connection_ = nullptr; ///< the one that keeps it alive
 };
 
 /// Whether DISPLAY names an X server that lets this program in.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/pictures/scene.hpp"
 
-#include "common/error.hpp"
 #include "output/pictures/blood_surface.hpp"
 
 #include <vtkDoubleArray.h>
@@ -113,10 +112,6 @@ Scene::Scene(const Scenario& scenario, const Vessel& vessel, double spacing)
       breach_radius_(scenario.rupture.breach_radius_radii * scenario.vessel.radius_m),
       renderer_(make_renderer()), particles_(make_spheres(0.5 * spacing))
 {
-    if (vessel.form() != DomainForm::artery) {
-        throw InputError(scenario.name, "has no artery to show",
-                         "needed: a scenario whose domain.form is artery");
-    }
     const vtkNew<vtkPolyDataMapper> blood;
     fluid_ = make_actor(blood, {0.68, 0.03, 0.05});
     set_specular(*fluid_, 0.55, 45);

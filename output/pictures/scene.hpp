@@ -41,7 +41,7 @@ struct Look {
 class Scene
 {
 public:
-    /// `spacing`: of the particles [m]. \throws InputError when the scenario's domain is no artery
+    /// `spacing`: of the particles [m]. \pre the vessel is an artery
     Scene(const Scenario& scenario, const Vessel& vessel, double spacing);
 
     vtkRenderer& renderer() { return *renderer_; }
