@@ -12,7 +12,6 @@
 
 using namespace aneurysm;
 using namespace aneurysm::test;
-using namespace aneurysm;
 
 namespace
 {
@@ -39,7 +38,8 @@ Scenario quick()
 /// Without rupture; made once.
 const reproduction::Member& held()
 {
-    static const reproduction::Member member{1, run(reproduction::unbreakable(quick()), cpu)};
+    const Scenario scenario = reproduction::unbreakable(quick());
+    static const reproduction::Member member{scenario, run(scenario, cpu)};
     return member;
 }
 
@@ -180,13 +180,11 @@ BOOST_AUTO_TEST_CASE(a_calibration_finds_the_values_that_made_its_rows)
                         {"yield_limit_pa", {{"from", 100}, {"to", 900}}}};
     for (const reproduction::RuptureRow& row :
          {reproduction::RuptureRow{0.4, 0.006, 0}, {0.6, 0.006, 0}, {0.4, 0.005, 0}}) {
-        double sum = 0;
-        for (const reproduction::Member& member : members) {
-            sum +=
-                static_cast<double>(reproduction::RuptureTimes(reproduction::with_wall(scenario, row), member)
-                                        .frame(yield_limit));
-        }
-        paper["table4"].push_back({{"sigma", row.sigma}, {"phi", row.phi}, {"frame", std::lround(sum / 2)}});
+        const double frame = reproduction::mean(members, [&](const reproduction::Member& member) {
+            const Scenario wall = reproduction::with_wall(scenario, row);
+            return reproduction::RuptureTimes(wall, member).frame(yield_limit);
+        });
+        paper["table4"].push_back({{"sigma", row.sigma}, {"phi", row.phi}, {"frame", std::lround(frame)}});
         plan["rows"].push_back({{"sigma", row.sigma}, {"phi", row.phi}});
     }
     reproduction::Reproduction reproduction{runs, paper, scratch.path, 2};

@@ -28,15 +28,6 @@ struct Candidate {
     std::vector<double> means{};                            ///< frames of rupture, by row
 };
 
-Scenario changed(const Scenario& scenario, const json& changes, const std::string& name)
-{
-    json text = json::parse(to_json(scenario));
-    text.merge_patch(changes);
-    Scenario result = parse_scenario(text.dump(), "data/calibration.json: candidates: " + name);
-    result.name += "_" + name;
-    return result;
-}
-
 /// The paper's rows that the plan fits to.
 std::vector<RuptureRow> rows_of(const json& plan, const json& paper)
 {
@@ -57,30 +48,21 @@ std::vector<RuptureRow> rows_of(const json& plan, const json& paper)
     return rows;
 }
 
-double mean_frame(const std::vector<RuptureTimes>& members, double yield_limit)
-{
-    double sum = 0;
-    for (const RuptureTimes& times : members) {
-        sum += static_cast<double>(times.frame(yield_limit));
-    }
-    return sum / static_cast<double>(members.size());
-}
-
 void fit_yield_limit(Candidate& candidate, const Scenario& scenario, const std::vector<RuptureRow>& rows,
                      const std::vector<Member>& members, const json& range)
 {
-    std::vector<std::vector<RuptureTimes>> times(rows.size());
+    std::vector<std::vector<RuptureTimes>> all(rows.size());
     std::vector<double> wanted;
     for (std::size_t k = 0; k < rows.size(); ++k) {
         for (const Member& member : members) {
-            times[k].emplace_back(with_wall(scenario, rows[k]), member);
+            all[k].emplace_back(with_wall(scenario, rows[k]), member);
         }
         wanted.push_back(static_cast<double>(rows[k].paper));
     }
     for (double Y = range.at("from"); Y <= range.at("to"); Y *= yield_step) {
         std::vector<double> means;
-        for (const std::vector<RuptureTimes>& row : times) {
-            means.push_back(mean_frame(row, Y));
+        for (const std::vector<RuptureTimes>& row : all) {
+            means.push_back(mean(row, [Y](const RuptureTimes& times) { return times.frame(Y); }));
         }
         const double error = log_rms(means, wanted);
         if (error < candidate.error) {
@@ -107,7 +89,7 @@ Section calibrate(Reproduction& reproduction, const json& plan, std::optional<in
     }
     table.columns.insert(table.columns.end(), {"Y [Pa]", "log-RMS error over these rows"});
     for (Candidate& c : candidates) {
-        const Scenario its = changed(scenario, c.changes, c.name);
+        const Scenario its = changed(scenario, c.changes, c.name, "data/calibration.json: candidates");
         fit_yield_limit(c, its, rows, ensemble(reproduction.runs, its, first, seeds),
                         plan.at("yield_limit_pa"));
         table.rows.push_back({c.name, c.changes.dump()});

@@ -20,12 +20,14 @@ constexpr double unreachable_yield = 1e9;
 
 Json to_json(const PlotPanel& panel)
 {
-    Json series = Json::array();
-    for (const PlotSeries& s : panel.series) {
-        series.push_back({{"name", s.name}, {"x", s.x}, {"y", s.y}, {"style", s.style}, {"color", s.color}});
-    }
-    return {{"title", panel.title}, {"x_label", panel.x_label}, {"y_label", panel.y_label},
-            {"log_y", panel.log_y}, {"y_top", panel.y_top},     {"series", series}};
+    const Json series = output::json_array(panel.series, [](const PlotSeries& s) {
+        return Json{{"name", s.name}, {"x", s.x}, {"y", s.y}, {"style", s.style}, {"color", s.color}};
+    });
+    return {{"title", panel.title},
+            {"x_label", panel.x_label},
+            {"y_label", panel.y_label},
+            {"log_y", panel.log_y},
+            {"series", series}};
 }
 
 } // namespace
@@ -55,10 +57,7 @@ void Reproduction::write(const Section& section) const
 Picture plot(const fs::path& file, const std::string& caption, std::size_t columns,
              const std::vector<PlotPanel>& panels)
 {
-    Json all = Json::array();
-    for (const PlotPanel& panel : panels) {
-        all.push_back(to_json(panel));
-    }
+    const Json all = output::json_array(panels, [](const PlotPanel& panel) { return to_json(panel); });
     fs::path spec = file;
     spec.replace_extension(".plot.json");
     output::write_atomically(spec, Json{{"columns", columns}, {"panels", all}}.dump() + "\n");
@@ -79,6 +78,16 @@ void render(const std::vector<std::string>& words)
 nlohmann::json read_data(const std::string& name)
 {
     return output::read_json(data_directory() / name, "needed: the file as it was shipped");
+}
+
+Scenario changed(const Scenario& scenario, const nlohmann::json& changes, const std::string& name,
+                 const std::string& where)
+{
+    nlohmann::json text = nlohmann::json::parse(to_json(scenario));
+    text.merge_patch(changes);
+    Scenario result = parse_scenario(text.dump(), where + ": " + name);
+    result.name += "_" + name;
+    return result;
 }
 
 Scenario unbreakable(Scenario scenario)

@@ -33,16 +33,21 @@ struct PlotSeries {
     std::string name;
     std::vector<double> x;
     std::vector<double> y;
-    std::string style = "line"; ///< line, thin, dashed, points, dots
-    int color = -1;             ///< number in the palette; -1: the next one
+    std::string style = "line"; ///< line, thin, points, dots
+    int color = 0;              ///< number in the palette
+
+    void add(double at, double value)
+    {
+        x.push_back(at);
+        y.push_back(value);
+    }
 };
 struct PlotPanel {
     std::string title;
     std::string x_label;
     std::string y_label;
-    std::vector<PlotSeries> series;
+    std::vector<PlotSeries> series{};
     bool log_y = false;
-    double y_top = 0; ///< 0: what the data need
 };
 
 /// Draws panels side by side, `columns` in a row, with matplotlib.
@@ -57,6 +62,10 @@ void render(const std::vector<std::string>& words);
 /// data/NAME, JSON. \throws InputError
 nlohmann::json read_data(const std::string& name);
 
+/// With other values, and a name of its own. `where`: what has the changes, for the message.
+/// \throws InputError
+Scenario changed(const Scenario& scenario, const nlohmann::json& changes, const std::string& name,
+                 const std::string& where);
 /// A run for which nothing ruptures: Y is out of reach. What the wall would have done follows afterwards.
 Scenario unbreakable(Scenario scenario);
 /// Another member of the ensemble, with a name of its own.

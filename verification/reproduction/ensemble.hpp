@@ -3,8 +3,10 @@
 #pragma once
 
 #include "verification/reproduction/context.hpp"
+#include "verification/reproduction/wall_history.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,14 +27,19 @@ Scenario with_wall(Scenario scenario, const RuptureRow& row);
 
 /// One run without rupture.
 struct Member {
-    int seed = 0;
+    Scenario scenario;
     std::vector<FrameRecord> records;
-};
-/// Of a run that was made. \throws Error where the reserve ran dry, which leaves holes in the inflow
-std::vector<FrameRecord> steady_records(const RunStore& runs, const Scenario& scenario);
 
-/// Makes those that are missing, of seeds first, first + 1, ... \throws Error, see steady_records
+    int seed() const { return static_cast<int>(scenario.particles.seed); }
+};
+/// Makes those that are missing. \throws Error where the reserve ran dry, which leaves holes in the inflow
+std::vector<Member> steady_runs(RunStore& runs, const std::vector<Scenario>& scenarios);
+
+/// Runs of seeds first, first + 1, ... without rupture. \throws Error, see steady_runs
 std::vector<Member> ensemble(RunStore& runs, const Scenario& scenario, int first_seed, int count);
+
+/// A wall along all of a run's impacts, were it whole in spite of them, with its own P_c.
+WallHistory whole_wall(const Scenario& wall, const Member& member);
 
 /// Frames of rupture of one wall by its yield limit: (13) is proportional to Y, and (22) and (23) don't know
 /// it, so that one walk along the impacts serves for all. To rounding: a frame in which F_b comes within
@@ -47,6 +54,17 @@ public:
 private:
     std::vector<double> strongest_; ///< yield limit that the impacts so far would have broken [Pa], by frame
 };
+
+/// The mean of what `value` makes of each.
+template <class Range, class Value>
+double mean(const Range& range, const Value& value)
+{
+    double sum = 0;
+    for (const auto& x : range) {
+        sum += static_cast<double>(std::invoke(value, x));
+    }
+    return sum / static_cast<double>(std::size(range));
+}
 
 /// Mean and spread of some numbers.
 struct Spread {

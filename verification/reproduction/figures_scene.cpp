@@ -5,11 +5,11 @@
 #include "verification/reproduction/ensemble.hpp"
 #include "verification/reproduction/items.hpp"
 #include "verification/reproduction/variants.hpp"
-#include "verification/reproduction/wall_history.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 namespace aneurysm::reproduction
 {
@@ -60,7 +60,7 @@ Typical typical_member(Reproduction& reproduction, std::int64_t wanted)
             const std::int64_t frame = times.frame(yield_limit);
             if (frame <= latest &&
                 (best.frame == 0 || std::abs(frame - wanted) < std::abs(best.frame - wanted))) {
-                best = {member.seed, yield_limit, frame};
+                best = {member.seed(), yield_limit, frame};
             }
         }
     }
@@ -110,14 +110,12 @@ Section frames_figure(Reproduction& reproduction, const std::string& id, const s
     section.text = {which_run(typical)};
     section.pictures = {sheet(reproduction, id, state, {scenario}, {}, paper_frames(reproduction), caption)};
     const std::vector<FrameRecord> records = reproduction.runs.records(scenario);
-    ResultTable table{
-        "", {"frame", "phase", "R [m]", "h [m]", "F_b [N]", "P_c [Pa]", "through the breach"}, {}};
+    ResultTable table{"", {"frame", "phase", "R [m]", "h [m]", "F_b [N]", "P_c [Pa]", "through the breach"}};
     for (const int frame : reproduction.paper.at("figures").at("fig4_frames")) {
         const FrameRecord& r = records.at(static_cast<std::size_t>(frame - 1));
         const std::vector<std::string> phases{"warm-up", "growing", "fully developed", "ruptured"};
-        table.rows.push_back({std::to_string(frame), phases.at(static_cast<std::size_t>(r.phase)),
-                              number(r.radius), number(r.thickness), number(r.impact_force),
-                              number(r.critical_pressure), std::to_string(r.ledger.escaped)});
+        table.add(frame, phases.at(static_cast<std::size_t>(r.phase)), r.radius, r.thickness, r.impact_force,
+                  r.critical_pressure, r.ledger.escaped);
     }
     section.tables = {table};
     section.claims = {{"The wall is whole at frame 2200 and has ruptured at frame 2400",
@@ -129,38 +127,25 @@ Section frames_figure(Reproduction& reproduction, const std::string& id, const s
     return section;
 }
 
-/// The first seed of a variant, with a wall that holds.
-struct VariantRun {
-    std::string name;
-    Scenario scenario;
-    std::vector<FrameRecord> records{};
-};
-
-/// Makes those that are missing.
-std::vector<VariantRun> first_runs(Reproduction& reproduction, const std::vector<Variant>& variants)
+/// The first seed of each, with a wall that holds; makes those that are missing.
+std::vector<Member> first_runs(Reproduction& reproduction, const std::vector<Variant>& variants)
 {
     std::vector<Scenario> scenarios;
-    std::vector<VariantRun> runs;
     for (const Variant& v : variants) {
         scenarios.push_back(with_seed(unbreakable(v.scenario), reproduction.first_seed));
-        runs.push_back({v.name, scenarios.back()});
     }
-    reproduction.runs.make(scenarios);
-    for (VariantRun& run : runs) {
-        run.records = steady_records(reproduction.runs, run.scenario);
-    }
-    return runs;
+    return steady_runs(reproduction.runs, scenarios);
 }
 
 /// Variants side by side in one frame: particles, and the blood's surface.
-Section variants_figure(Reproduction& reproduction, const std::vector<VariantRun>& runs,
-                        const std::string& frame, Section section)
+Section variants_figure(Reproduction& reproduction, const std::vector<Variant>& variants,
+                        const std::vector<Member>& runs, const std::string& frame, Section section)
 {
     std::vector<Scenario> scenarios;
     std::vector<std::string> labels;
-    for (const VariantRun& run : runs) {
-        scenarios.push_back(run.scenario);
-        labels.push_back(run.name);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        scenarios.push_back(runs[k].scenario);
+        labels.push_back(variants[k].name);
     }
     section.text = {"Frame " + frame + " of walls that are kept from rupturing."};
     section.pictures = {
@@ -186,28 +171,25 @@ Section figure5(Reproduction& reproduction)
 
 Section figure6(Reproduction& reproduction)
 {
-    return variants_figure(reproduction, first_runs(reproduction, shape_variants(reproduction)), "3000",
+    const std::vector<Variant> shapes = shape_variants(reproduction);
+    return variants_figure(reproduction, shapes, first_runs(reproduction, shapes), "3000",
                            {"fig6", "Fig. 6: hemispherical, spherical and piriform aneurysms"});
 }
 
 Section figure8(Reproduction& reproduction)
 {
-    const std::vector<VariantRun> angles = first_runs(reproduction, angle_variants(reproduction));
-    Section section = variants_figure(reproduction, angles, "2500",
+    const std::vector<Variant> angles = angle_variants(reproduction);
+    const std::vector<Member> runs = first_runs(reproduction, angles);
+    Section section = variants_figure(reproduction, angles, runs, "2500",
                                       {"fig8", "Fig. 8: bifurcation angles of 30, 40, 60 and 75 degrees"});
     ResultTable table{
         "",
-        {"angle", "mean F_b, frames 400-2500 [N]", "R at 2500 [m]", "largest density error before the end"},
-        {}};
-    for (const auto& [name, scenario, records] : angles) {
-        double sum = 0;
-        double density = 0;
-        for (std::size_t n = 400; n < records.size(); ++n) {
-            sum += records[n].impact_force / static_cast<double>(records.size() - 400);
-            density = std::max(density, records[n].density_error_max);
-        }
-        table.rows.push_back(
-            {name, number(sum), number(records.back().radius), number(100 * density, 3) + " %"});
+        {"angle", "mean F_b, frames 400-2500 [N]", "R at 2500 [m]", "largest density error before the end"}};
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const auto late = std::span(runs[k].records).subspan(400);
+        const double density = std::ranges::max(late, {}, &FrameRecord::density_error_max).density_error_max;
+        table.add(angles[k].name, mean(late, &FrameRecord::impact_force), late.back().radius,
+                  number(100 * density, 3) + " %");
     }
     section.tables = {table};
     return section;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Figures 7, 9 and 10: impact, thickness and critical pressure over the frames.
+#include "common/text.hpp"
 #include "reference/growth.hpp"
 #include "verification/reproduction/ensemble.hpp"
 #include "verification/reproduction/items.hpp"
 #include "verification/reproduction/variants.hpp"
-#include "verification/reproduction/wall_history.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <numeric>
+#include <span>
 
 namespace aneurysm::reproduction
 {
@@ -19,30 +19,21 @@ namespace
 
 constexpr std::size_t warm_up = 100; ///< frames, section 4.4
 
-std::vector<double> frame_numbers(std::size_t first, std::size_t count)
+/// A number of each frame, from frame 1.
+template <class Frame>
+PlotSeries series(const std::string& name, const std::vector<Frame>& frames, double Frame::*member, int color,
+                  const std::string& style = "line")
 {
-    std::vector<double> x(count);
-    std::iota(x.begin(), x.end(), static_cast<double>(first));
-    return x;
-}
-
-PlotSeries series(const std::string& name, const std::vector<WallFrame>& frames, double WallFrame::*member,
-                  int color)
-{
-    PlotSeries s{name, frame_numbers(1, frames.size()), {}, "line", color};
-    for (const WallFrame& frame : frames) {
-        s.y.push_back(frame.*member);
+    PlotSeries s{name, {}, {}, style, color};
+    for (const Frame& frame : frames) {
+        s.add(static_cast<double>(s.x.size() + 1), frame.*member);
     }
     return s;
 }
 
 PlotSeries impacts(const std::string& name, const std::vector<FrameRecord>& records, int color)
 {
-    PlotSeries s{name, frame_numbers(1, records.size()), {}, "thin", color};
-    for (const FrameRecord& record : records) {
-        s.y.push_back(record.impact_force);
-    }
-    return s;
+    return series(name, records, &FrameRecord::impact_force, color, "thin");
 }
 
 /// Amplitude of a period of F_b over whole cycles of 800 frames after the warm-up.
@@ -79,116 +70,82 @@ Claim pulsatility(const std::vector<FrameRecord>& records, std::size_t cycle)
                 number(largest) + " N; that of 800 frames has " + number(T) + " N"};
 }
 
-double mean_impact(const std::vector<FrameRecord>& records, std::size_t from, std::size_t to)
+double mean_impact(const Member& member, std::size_t from, std::size_t to)
 {
-    double sum = 0;
-    for (std::size_t k = from; k < to; ++k) {
-        sum += records[k].impact_force;
-    }
-    return sum / static_cast<double>(to - from);
+    return mean(std::span(member.records).subspan(from, to - from), &FrameRecord::impact_force);
 }
 
 Claim warm_up_differs(const std::vector<Member>& members, std::size_t cycle)
 {
-    double first = 0;
-    double later = 0;
-    for (const Member& member : members) {
-        first += mean_impact(member.records, 0, warm_up) / static_cast<double>(members.size());
-        // The same part of the next cycles.
-        const std::size_t cycles = member.records.size() / cycle - 1;
+    const double first = mean(members, [](const Member& m) { return mean_impact(m, 0, warm_up); });
+    const double later = mean(members, [cycle](const Member& m) {
+        double sum = 0; // over the same part of the next cycles
+        const std::size_t cycles = m.records.size() / cycle - 1;
         for (std::size_t c = 1; c <= cycles; ++c) {
-            later += mean_impact(member.records, c * cycle, c * cycle + warm_up) /
-                     static_cast<double>(members.size() * cycles);
+            sum += mean_impact(m, c * cycle, c * cycle + warm_up) / static_cast<double>(cycles);
         }
-    }
+        return sum;
+    });
     const double ratio = first / later;
     return {"The first 100 frames are abnormal, the warm-up", std::abs(ratio - 1) > 0.25,
             "mean F_b of frames 1-100 is " + number(first) + " N, of the same part of later cycles " +
                 number(later) + " N"};
 }
 
-/// One shape of Fig. 7, as its members have it.
+/// One shape of Fig. 7, as its members have it. The curves go on after P_c was exceeded, as the paper's do:
+/// the wall holds whatever comes.
 struct Shape {
     std::string name;
     std::vector<Member> members;
-    std::vector<WallHistory> walls;
+    std::vector<WallFrame> middle; ///< mean over the members, by frame
+    double developed = 0; ///< mean frame with the largest R; where it isn't reached, one behind the last
 };
 
-double mean_developed(const Shape& shape)
+Shape shape_of(const Variant& variant, std::vector<Member> members)
 {
-    double sum = 0;
-    for (const WallHistory& wall : shape.walls) {
-        sum += static_cast<double>(wall.developed.value_or(std::ssize(wall.frames) + 1));
+    std::vector<WallHistory> walls;
+    for (const Member& member : members) {
+        walls.push_back(whole_wall(variant.scenario, member));
     }
-    return sum / static_cast<double>(shape.walls.size());
-}
-
-/// Mean over the members of a number of the wall in a frame.
-double mean_at(const Shape& shape, std::int64_t frame, double WallFrame::*member)
-{
-    double sum = 0;
-    for (const WallHistory& wall : shape.walls) {
-        sum += wall.frames[static_cast<std::size_t>(frame - 1)].*member;
+    std::vector<WallFrame> middle;
+    for (std::size_t k = 0; k < walls.front().frames.size(); ++k) {
+        const auto mean_of = [&](double WallFrame::*number) {
+            return mean(walls, [=](const WallHistory& wall) { return wall.frames[k].*number; });
+        };
+        middle.push_back({mean_of(&WallFrame::radius), mean_of(&WallFrame::thickness),
+                          mean_of(&WallFrame::critical_pressure), Phase::growing});
     }
-    return sum / static_cast<double>(shape.walls.size());
-}
-
-std::vector<WallFrame> mean_frames(const Shape& shape)
-{
-    std::vector<WallFrame> frames;
-    for (std::int64_t k = 1; k <= std::ssize(shape.walls.front().frames); ++k) {
-        frames.push_back({mean_at(shape, k, &WallFrame::radius), mean_at(shape, k, &WallFrame::thickness),
-                          mean_at(shape, k, &WallFrame::critical_pressure), Phase::growing});
-    }
-    return frames;
+    const auto end = std::ssize(middle) + 1;
+    const double developed = mean(walls, [end](const WallHistory& w) { return w.developed.value_or(end); });
+    return {variant.name, std::move(members), std::move(middle), developed};
 }
 
 std::vector<Shape> shapes(Reproduction& reproduction)
 {
-    const std::vector<Variant> variants = shape_variants(reproduction);
     const int seeds = std::min(reproduction.seeds, 4);
     std::vector<Shape> all;
-    for (const Variant& v : variants) {
-        all.push_back({v.name, ensemble(reproduction.runs, v.scenario, reproduction.first_seed, seeds), {}});
-    }
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        const Scenario& scenario = variants[k].scenario;
-        for (const Member& member : all[k].members) {
-            // The curves go on after P_c was exceeded, as the paper's do: the wall holds whatever comes.
-            WallHistory wall = wall_along(unbreakable(scenario), member.records);
-            const double relative =
-                scenario.rupture.yield_limit_pa / unbreakable(scenario).rupture.yield_limit_pa;
-            for (WallFrame& frame : wall.frames) {
-                frame.critical_pressure *= relative;
-            }
-            all[k].walls.push_back(std::move(wall));
-        }
+    for (const Variant& v : shape_variants(reproduction)) {
+        all.push_back(shape_of(v, ensemble(reproduction.runs, v.scenario, reproduction.first_seed, seeds)));
     }
     return all;
 }
 
 std::vector<Claim> claims_about(const std::vector<Shape>& all)
 {
-    std::vector<double> developed;
-    std::string when;
+    std::vector<std::string> when;
+    std::vector<std::string> pressures;
     for (const Shape& shape : all) {
-        developed.push_back(mean_developed(shape));
-        when += (when.empty() ? "" : ", ") + shape.name + " " +
-                (developed.back() > 3000 ? "after 3000" : number(developed.back()));
+        when.push_back(shape.name + " " + (shape.developed > 3000 ? "after 3000" : number(shape.developed)));
+        pressures.push_back(shape.name + " " + number(shape.middle[999].critical_pressure));
     }
-    constexpr std::int64_t early = 1000;
-    std::vector<double> thresholds;
-    std::string pressures;
-    for (const Shape& shape : all) {
-        thresholds.push_back(mean_at(shape, early, &WallFrame::critical_pressure));
-        pressures += (pressures.empty() ? "" : ", ") + shape.name + " " + number(thresholds.back());
-    }
+    const auto threshold = [&all](std::size_t k) { return all[k].middle[999].critical_pressure; };
     return {{"The hemispherical aneurysm is fully developed first (paper: from about frame 1600)",
-             developed[0] < developed[1] && developed[0] < developed[2], "mean frame: " + when},
+             all[0].developed < all[1].developed && all[0].developed < all[2].developed,
+             "mean frame: " + joined(when)},
             {"Before full development the thresholds of hemispherical and spherical sacs are alike and the "
              "piriform one's is the lowest",
-             thresholds[2] < thresholds[0] && thresholds[2] < thresholds[1],
-             "mean P_c in frame 1000 [Pa]: " + pressures}};
+             threshold(2) < threshold(0) && threshold(2) < threshold(1),
+             "mean P_c in frame 1000 [Pa]: " + joined(pressures)}};
 }
 
 } // namespace
@@ -196,30 +153,23 @@ std::vector<Claim> claims_about(const std::vector<Shape>& all)
 Section figure7(Reproduction& reproduction)
 {
     const std::vector<Shape> all = shapes(reproduction);
-    std::vector<PlotPanel> panels{{"(a) impact force, one seed", "frame", "F_b [N]", {}},
-                                  {"(b) thickness, mean", "frame", "h [m]", {}},
-                                  {"(c) critical pressure, mean", "frame", "P_c [Pa]", {}},
-                                  {"radius, mean", "frame", "R [m]", {}}};
+    std::vector<PlotPanel> panels{{"(a) impact force, one seed", "frame", "F_b [N]"},
+                                  {"(b) thickness, mean", "frame", "h [m]"},
+                                  {"(c) critical pressure, mean", "frame", "P_c [Pa]"},
+                                  {"radius, mean", "frame", "R [m]"}};
     ResultTable table{"Means over the seeds",
                       {"shape", "mean F_b, frames 400-3000 [N]", "fully developed in frame", "h at 1000 [m]",
-                       "h at 3000 [m]", "P_c at 1000 [Pa]", "P_c at 3000 [Pa]"},
-                      {}};
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        const Shape& shape = all[k];
-        const auto color = static_cast<int>(k);
+                       "h at 3000 [m]", "P_c at 1000 [Pa]", "P_c at 3000 [Pa]"}};
+    int color = 0;
+    for (const Shape& shape : all) {
+        const std::vector<WallFrame>& middle = shape.middle;
         panels[0].series.push_back(impacts(shape.name, shape.members.front().records, color));
-        const std::vector<WallFrame> mean = mean_frames(shape);
-        panels[1].series.push_back(series(shape.name, mean, &WallFrame::thickness, color));
-        panels[2].series.push_back(series(shape.name, mean, &WallFrame::critical_pressure, color));
-        panels[3].series.push_back(series(shape.name, mean, &WallFrame::radius, color));
-        double impact = 0;
-        for (const Member& member : shape.members) {
-            impact += mean_impact(member.records, 400, 3000) / static_cast<double>(shape.members.size());
-        }
-        const double developed = mean_developed(shape);
-        table.rows.push_back({shape.name, number(impact), developed > 3000 ? "-" : number(developed),
-                              number(mean[999].thickness), number(mean[2999].thickness),
-                              number(mean[999].critical_pressure), number(mean[2999].critical_pressure)});
+        panels[1].series.push_back(series(shape.name, middle, &WallFrame::thickness, color));
+        panels[2].series.push_back(series(shape.name, middle, &WallFrame::critical_pressure, color));
+        panels[3].series.push_back(series(shape.name, middle, &WallFrame::radius, color++));
+        table.add(shape.name, mean(shape.members, [](const Member& m) { return mean_impact(m, 400, 3000); }),
+                  shape.developed > 3000 ? "-" : number(shape.developed), middle[999].thickness,
+                  middle[2999].thickness, middle[999].critical_pressure, middle[2999].critical_pressure);
     }
     Section section{"fig7", "Fig. 7: impact force, thickness and critical pressure of the three shapes"};
     section.text = {"Mean over " + std::to_string(all.front().members.size()) +
@@ -239,11 +189,11 @@ Section figure9(Reproduction& reproduction)
     const std::vector<Member> members =
         ensemble(reproduction.runs, scenario, reproduction.first_seed, reproduction.seeds);
     const Member& shown = members.front();
-    PlotPanel force{"F_b and the critical pressures", "frame", "F_b [N], P_c [Pa]", {}};
-    PlotPanel wall{"Thickness", "frame", "h [m]", {}};
+    PlotPanel force{"F_b and the critical pressures", "frame", "F_b [N], P_c [Pa]"};
+    PlotPanel wall{"Thickness", "frame", "h [m]"};
     force.series.push_back(impacts("F_b", shown.records, 6));
-    ResultTable table{
-        "One seed: where the triangles are", {"sigma", "frame of rupture", "h [m]", "P_c [Pa]"}, {}};
+    ResultTable table{"One seed: where the triangles are",
+                      {"sigma", "frame of rupture", "h [m]", "P_c [Pa]"}};
     int color = 0;
     for (const RuptureRow& row : table4_rows(reproduction.paper)) {
         if (row.phi != 0.003) {
@@ -259,14 +209,13 @@ Section figure9(Reproduction& reproduction)
             force.series.push_back({"", {frame}, {last.critical_pressure}, "points", color});
             wall.series.push_back({"", {frame}, {last.thickness}, "points", color});
         }
-        table.rows.push_back({number(row.sigma),
-                              history.rupture_frame ? std::to_string(*history.rupture_frame) : "holds",
-                              number(last.thickness), number(last.critical_pressure)});
+        table.add(row.sigma, history.rupture_frame ? std::to_string(*history.rupture_frame) : "holds",
+                  last.thickness, last.critical_pressure);
         ++color;
     }
     const auto cycle = static_cast<std::size_t>(std::llround(scenario.inlet.cycle_s / scenario.time.frame_s));
     Section section{"fig9", "Fig. 9: impact force, critical pressure and thickness by Poisson's ratio"};
-    section.text = {"Seed " + std::to_string(shown.seed) +
+    section.text = {"Seed " + std::to_string(shown.seed()) +
                     ", each wall up to its rupture (triangle). Table 4 has the means over all seeds."};
     section.tables.push_back(table);
     section.claims = {pulsatility(shown.records, cycle), warm_up_differs(members, cycle)};
@@ -283,28 +232,26 @@ Section figure10(Reproduction& reproduction)
     const double R_max = scenario.aneurysm.base_width_radii / 2 * scenario.vessel.radius_m;
     constexpr int steps = 2200;
     const double dR = (R_max - R_0) / steps; // reaches the largest radius where Table 4 has sigma 0.4 rupture
-    PlotPanel radius{"Radius at fixed Delta R", "frame", "R [m]", {}};
-    PlotPanel thickness{"Thickness", "frame", "h [m]", {}};
+    PlotPanel radius{"Radius at fixed Delta R", "frame", "R [m]"};
+    PlotPanel thickness{"Thickness", "frame", "h [m]"};
     ResultTable table{"After " + std::to_string(steps) + " frames of Delta R = " + number(dR) + " m",
-                      {"sigma", "h / h_0 by (22)", "(R/R_0)^-sigma", "relative difference", "Euler's error"},
-                      {}};
+                      {"sigma", "h / h_0 by (22)", "(R/R_0)^-sigma", "relative difference", "Euler's error"}};
     bool same_law = true;
     int color = 0;
     for (const double sigma : {0.2, 0.3, 0.4, 0.5, 0.6}) {
-        PlotSeries r{"sigma " + number(sigma), frame_numbers(0, steps + 1), {R_0}, "line", color};
         const double h_0 = scenario.rupture.thickness_ratio * scenario.vessel.radius_m;
-        PlotSeries h{r.name, r.x, {h_0}, "line", color++};
-        for (int k = 0; k < steps; ++k) {
-            h.y.push_back(reference::thickness_growing(h.y.back(), r.y.back(), sigma, dR));
-            r.y.push_back(r.y.back() + dR);
+        PlotSeries R{"sigma " + number(sigma), {0}, {R_0}, "line", color};
+        PlotSeries h{R.name, {0}, {h_0}, "line", color++};
+        for (int k = 1; k <= steps; ++k) {
+            h.add(k, reference::thickness_growing(h.y.back(), R.y.back(), sigma, dR));
+            R.add(k, R.y.back() + dR);
         }
-        const double exact = std::pow(r.y.back() / R_0, -sigma);
+        const double exact = std::pow(R.y.back() / R_0, -sigma);
         const double off = h.y.back() / h_0 / exact - 1;
-        const double expected = -dR / 2 * sigma * (sigma + 1) * (1 / R_0 - 1 / r.y.back()); // of first order
+        const double expected = -dR / 2 * sigma * (sigma + 1) * (1 / R_0 - 1 / R.y.back()); // of first order
         same_law = same_law && std::abs(off / expected - 1) < 0.01;
-        table.rows.push_back({number(sigma), number(h.y.back() / h_0, 6), number(exact, 6), number(off, 3),
-                              number(expected, 3)});
-        radius.series.push_back(r);
+        table.add(sigma, number(h.y.back() / h_0, 6), number(exact, 6), number(off, 3), number(expected, 3));
+        radius.series.push_back(R);
         thickness.series.push_back(h);
     }
     Section section{"fig10", "Fig. 10: radius and thickness by Poisson's ratio at fixed Delta R"};

@@ -41,13 +41,8 @@ Scenario rigid(Scenario scenario, std::int64_t particles)
 /// Exponent of y = c x^n by least squares of the logarithms.
 double exponent(const std::vector<Impact>& impacts)
 {
-    double mx = 0;
-    double my = 0;
-    const auto n = static_cast<double>(impacts.size());
-    for (const Impact& i : impacts) {
-        mx += std::log(i.spacing) / n;
-        my += std::log(i.force) / n;
-    }
+    const double mx = mean(impacts, [](const Impact& i) { return std::log(i.spacing); });
+    const double my = mean(impacts, [](const Impact& i) { return std::log(i.force); });
     double xy = 0;
     double xx = 0;
     for (const Impact& i : impacts) {
@@ -72,23 +67,19 @@ ResultTable resolution_study(Reproduction& reproduction, std::vector<std::string
     std::vector<Impact> impacts;
     for (const Scenario& s : scenarios) {
         const std::vector<FrameRecord> records = reproduction.runs.records(s);
-        double sum = 0;
-        for (std::size_t k = records.size() / 2; k < records.size(); ++k) {
-            sum += records[k].impact_force;
-        }
+        const auto second = std::span(records).subspan(records.size() / 2);
         const double spacing =
             output::read_checkpoint(output::RunDirectory::checkpoint_file(reproduction.runs.directory(s)))
                 .state.spacing;
-        impacts.push_back({s.particles.count, spacing, sum / static_cast<double>(records.size() / 2)});
+        impacts.push_back({s.particles.count, spacing, mean(second, &FrameRecord::impact_force)});
     }
     ResultTable table{
         "F_b by resolution, mean over the second cycle, rigid sac",
         {"particles", "spacing [m]", "F_b [N]", "F_b / spacing^2 [Pa]", "F_b / spacing^3 [N/m^3]"},
         {}};
     for (const Impact& i : impacts) {
-        table.rows.push_back({std::to_string(i.particles), number(i.spacing), number(i.force),
-                              number(i.force / (i.spacing * i.spacing)),
-                              number(i.force / std::pow(i.spacing, 3))});
+        table.add(i.particles, i.spacing, i.force, i.force / (i.spacing * i.spacing),
+                  i.force / std::pow(i.spacing, 3));
     }
     const double n = exponent(impacts);
     text.push_back(

@@ -2,10 +2,9 @@
 #include "verification/reproduction/section.hpp"
 
 #include "output/json.hpp"
+#include "output/report/numbers.hpp"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace aneurysm::reproduction
 {
@@ -30,12 +29,7 @@ std::string csv_row(const std::vector<std::string>& cells)
 
 std::string number(double x, int digits)
 {
-    if (std::isnan(x)) {
-        return "-";
-    }
-    std::ostringstream text;
-    text << std::setprecision(digits) << x;
-    return text.str();
+    return std::isnan(x) ? "-" : report::printed(("%." + std::to_string(digits) + "g").c_str(), x);
 }
 
 std::string whole(double x)

@@ -6,17 +6,34 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <concepts>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace aneurysm::reproduction
 {
 
+/// A number in as few digits as tell it apart; "-" for a NaN.
+std::string number(double x, int digits = 4);
+/// A number without its fraction; "-" for a NaN.
+std::string whole(double x);
+/// How far a is from b, as in "-12 %".
+std::string percent_off(double a, double b);
+
 struct ResultTable {
     std::string title;
     std::vector<std::string> columns;
-    std::vector<std::vector<std::string>> rows;
+    std::vector<std::vector<std::string>> rows{};
+
+    /// A row of texts, whole numbers, and others to four digits.
+    template <class... Cells>
+    void add(const Cells&... cells)
+    {
+        rows.push_back({cell(cells)...});
+    }
+    static std::string cell(const std::string& text) { return text; }
+    static std::string cell(std::integral auto x) { return std::to_string(x); }
+    static std::string cell(std::floating_point auto x) { return number(x); }
 };
 
 /// Something that the paper says in words, and what was found here.
@@ -36,13 +53,6 @@ struct Section {
     std::vector<Claim> claims{};
     std::vector<Picture> pictures{};
 };
-
-/// A number in as few digits as tell it apart; "-" for a NaN.
-std::string number(double x, int digits = 4);
-/// A number without its fraction; "-" for a NaN.
-std::string whole(double x);
-/// How far a is from b, as in "-12 %".
-std::string percent_off(double a, double b);
 
 /// For programs.
 nlohmann::ordered_json to_json(const Section& section);

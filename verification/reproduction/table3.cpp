@@ -146,11 +146,10 @@ Section table3(Reproduction& reproduction)
 {
     constexpr double seconds = 8;
     Section section{"table3", "Table 3: frames per second under four test conditions"};
-    ResultTable table{
-        "Frames per second", {"condition", "particles", "aneurysm", "paper, CPU", "paper, CUDA"}, {}};
+    ResultTable table{"Frames per second",
+                      {"condition", "particles", "aneurysm", "paper, CPU", "paper, CUDA"}};
     ResultTable errors{"At which errors",
-                       {"condition", "backend", "frames", "iterations a frame", "mean density error"},
-                       {}};
+                       {"condition", "backend", "frames", "iterations a frame", "mean density error"}};
     const std::vector<Column> all = columns();
     for (const Column& column : all) {
         table.columns.push_back(column.name);
@@ -166,9 +165,8 @@ Section table3(Reproduction& reproduction)
     for (const auto& row : conditions) {
         const std::string name = row.at("name");
         const Scenario scenario = shipped_scenario(row.at("scenario"));
-        table.rows.push_back({name, std::to_string(row.at("particles").get<int>()),
-                              row.at("aneurysm").get<bool>() ? "yes" : "no", number(row.at("cpu_fps")),
-                              number(row.at("cuda_fps"))});
+        table.add(name, row.at("particles").get<int>(), row.at("aneurysm").get<bool>() ? "yes" : "no",
+                  row.at("cpu_fps").get<double>(), row.at("cuda_fps").get<double>());
         double best = 0;
         for (const Column& column : all) {
             progress.show(done++, name + " " + column.name);
@@ -180,8 +178,8 @@ Section table3(Reproduction& reproduction)
             best = std::max(best, speed.fps);
             fps[name][column.name] = speed.fps;
             table.rows.back().push_back(number(speed.fps, 3));
-            errors.rows.push_back({name, column.name, std::to_string(speed.frames),
-                                   number(speed.iterations, 3), number(100 * speed.density_error, 2) + " %"});
+            errors.add(name, column.name, speed.frames, number(speed.iterations, 3),
+                       number(100 * speed.density_error, 2) + " %");
         }
         table.rows.back().push_back(ratio(best, row.at("cpu_fps")));
         table.rows.back().push_back(ratio(best, row.at("cuda_fps")));

@@ -42,11 +42,8 @@ double own_yield(const std::vector<RuptureTimes>& times, double wanted, double a
     double high = std::log(around * far);
     for (int k = 0; k < steps; ++k) {
         const double middle = (low + high) / 2;
-        double sum = 0;
-        for (const RuptureTimes& t : times) {
-            sum += static_cast<double>(t.frame(std::exp(middle)));
-        }
-        (sum < wanted * static_cast<double>(times.size()) ? low : high) = middle;
+        const auto frame = [Y = std::exp(middle)](const RuptureTimes& t) { return t.frame(Y); };
+        (mean(times, frame) < wanted ? low : high) = middle;
     }
     return std::exp((low + high) / 2);
 }
@@ -54,14 +51,13 @@ double own_yield(const std::vector<RuptureTimes>& times, double wanted, double a
 /// What the wall of a member is like in the paper's frame of rupture, were it still whole.
 void look_at_paper_frame(RowResult& result, const Scenario& wall, const Member& member, double share)
 {
-    const std::size_t frame = std::min(static_cast<std::size_t>(result.row.paper), member.records.size());
-    const WallHistory whole = wall_along(unbreakable(wall), std::span(member.records).first(frame));
-    const double relative = wall.rupture.yield_limit_pa / unbreakable(wall).rupture.yield_limit_pa;
+    const std::vector<WallFrame> whole = whole_wall(wall, member).frames;
+    const std::size_t frame = std::min(static_cast<std::size_t>(result.row.paper), whole.size());
     double blow = 0;
     for (std::size_t k = 0; k < frame; ++k) {
-        blow = whole.frames[k].phase == Phase::warm_up ? 0 : std::max(blow, member.records[k].impact_force);
+        blow = whole[k].phase == Phase::warm_up ? 0 : std::max(blow, member.records[k].impact_force);
     }
-    result.wall += share * whole.frames.back().critical_pressure * relative;
+    result.wall += share * whole[frame - 1].critical_pressure;
     result.blow += share * blow / wall.rupture.conversion_area_m2;
 }
 
@@ -106,31 +102,29 @@ ResultTable frames_table(const std::vector<RowResult>& results)
     ResultTable table{"Frame of rupture, mean over the seeds",
                       {"sigma", "phi", "paper", "here", "off", "standard deviation", "of the mean",
                        "earliest", "latest", "seeds earlier than the paper", "share after full development",
-                       "use"},
-                      {}};
+                       "use"}};
     for (const RowResult& r : results) {
         const Spread s = r.spread();
         const auto n = static_cast<double>(r.frames.size());
-        table.rows.push_back({number(r.row.sigma), number(r.row.phi), std::to_string(r.row.paper),
-                              (r.held > 0 ? ">= " : "") + whole(s.mean),
-                              percent_off(s.mean, static_cast<double>(r.row.paper)), whole(s.deviation),
-                              whole(s.deviation / std::sqrt(n)), whole(s.least),
-                              (r.held > 0 ? "holds: " + std::to_string(r.held) : whole(s.most)),
-                              std::to_string(r.earlier) + "/" + std::to_string(r.frames.size()),
-                              std::to_string(r.developed) + "/" + std::to_string(r.frames.size()),
-                              r.fitted ? "calibration" : "prediction"});
+        const std::string of = "/" + std::to_string(r.frames.size());
+        table.add(r.row.sigma, r.row.phi, r.row.paper, (r.held > 0 ? ">= " : "") + whole(s.mean),
+                  percent_off(s.mean, static_cast<double>(r.row.paper)), whole(s.deviation),
+                  whole(s.deviation / std::sqrt(n)), whole(s.least),
+                  r.held > 0 ? "holds: " + std::to_string(r.held) : whole(s.most),
+                  std::to_string(r.earlier) + of, std::to_string(r.developed) + of,
+                  r.fitted ? "calibration" : "prediction");
     }
     return table;
 }
 
 ResultTable seeds_table(const std::vector<RowResult>& results, const std::vector<Member>& members)
 {
-    ResultTable table{"Frame of rupture by seed", {"seed"}, {}};
+    ResultTable table{"Frame of rupture by seed", {"seed"}};
     for (const RowResult& r : results) {
         table.columns.push_back(r.row.name());
     }
     for (std::size_t m = 0; m < members.size(); ++m) {
-        table.rows.push_back({std::to_string(members[m].seed)});
+        table.add(members[m].seed());
         for (const RowResult& r : results) {
             table.rows.back().push_back(number(r.frames[m], 6));
         }
@@ -143,11 +137,10 @@ ResultTable reasons_table(const std::vector<RowResult>& results, double yield_li
 {
     ResultTable table{"The same in terms of the wall: in the paper's frame of rupture",
                       {"row", "P_c [Pa]", "hardest impact so far [Pa]", "ratio",
-                       "Y that would meet the paper's frame [Pa]", "against Y"},
-                      {}};
+                       "Y that would meet the paper's frame [Pa]", "against Y"}};
     for (const RowResult& r : results) {
-        table.rows.push_back({r.row.name(), number(r.wall), number(r.blow), number(r.blow / r.wall, 3),
-                              number(r.own_yield, 3), percent_off(r.own_yield, yield_limit)});
+        table.add(r.row.name(), r.wall, r.blow, number(r.blow / r.wall, 3), number(r.own_yield, 3),
+                  percent_off(r.own_yield, yield_limit));
     }
     return table;
 }
@@ -169,7 +162,6 @@ Spread crests(const std::vector<Member>& members, std::size_t cycle)
 std::string falls(const std::vector<RowResult>& results)
 {
     std::vector<double> strengths;
-    strengths.reserve(results.size());
     for (const RowResult& r : results) {
         strengths.push_back(reference::critical_pressure(1, 1, 1, r.row.sigma, r.row.phi));
     }
@@ -250,7 +242,7 @@ std::vector<LiveRun> choose_live_runs(const Scenario& scenario, const std::vecto
     for (std::size_t k = 0; k < 2; ++k) {
         const RowResult& row = results[results.size() - 1 - 3 * k];
         const std::size_t m = k % members.size();
-        LiveRun run{with_seed(with_wall(scenario, row.row), members[m].seed), &row, &members[m],
+        LiveRun run{with_seed(with_wall(scenario, row.row), members[m].seed()), &row, &members[m],
                     static_cast<std::int64_t>(row.frames[m])};
         run.scenario.name += "_live_sigma" + number(row.row.sigma) + "_phi" + number(row.row.phi);
         run.scenario.time.frames = std::min(run.worked_out + after, std::ssize(members[m].records));
@@ -263,8 +255,7 @@ std::vector<LiveRun> choose_live_runs(const Scenario& scenario, const std::vecto
 ResultTable live_table(Reproduction& reproduction, const std::vector<LiveRun>& runs)
 {
     ResultTable table{"Live runs of single walls against the same walls worked out",
-                      {"row", "seed", "worked out", "live", "frames with the same F_b to the bit"},
-                      {}};
+                      {"row", "seed", "worked out", "live", "frames with the same F_b to the bit"}};
     for (const LiveRun& run : runs) {
         reproduction.runs.make({run.scenario});
         const std::vector<FrameRecord> records = reproduction.runs.records(run.scenario);
@@ -278,11 +269,29 @@ ResultTable live_table(Reproduction& reproduction, const std::vector<LiveRun>& r
         }
         const auto [end, unused] = std::ranges::mismatch(
             records, run.member->records, {}, &FrameRecord::impact_force, &FrameRecord::impact_force);
-        table.rows.push_back({run.row->row.name(), std::to_string(run.member->seed),
-                              std::to_string(run.worked_out), std::to_string(live),
-                              std::to_string(end - records.begin())});
+        table.add(run.row->row.name(), run.member->seed(), run.worked_out, live, end - records.begin());
     }
     return table;
+}
+
+/// The rows that differ from sigma 0.4, phi 0.003 in one of the two alone.
+PlotPanel panel(const std::vector<RowResult>& results, const std::string& title, const std::string& label,
+                double RuptureRow::*varied, double RuptureRow::*fixed)
+{
+    PlotSeries theirs{"paper", {}, {}, "points", 1};
+    PlotSeries ours{"mean of the seeds", {}, {}, "points", 0};
+    PlotSeries single{"single seeds", {}, {}, "dots", 5};
+    const RuptureRow common{0.4, 0.003};
+    for (const RowResult& r : results) {
+        if (r.row.*fixed == common.*fixed) {
+            theirs.add(r.row.*varied, static_cast<double>(r.row.paper));
+            ours.add(r.row.*varied, r.spread().mean);
+            for (const double frame : r.frames) {
+                single.add(r.row.*varied, frame);
+            }
+        }
+    }
+    return {title, label, "frame of rupture", {single, ours, theirs}, true};
 }
 
 } // namespace
@@ -304,7 +313,7 @@ Section table4(Reproduction& reproduction)
     Section section{"table4", "Table 4: frame of rupture by Poisson's ratio and porosity"};
     section.text = {
         "Log-RMS error over the eight rows: " + number(log_rms(here, paper), 3) + ", over " +
-            std::to_string(members.size()) + " seeds from " + std::to_string(members.front().seed) +
+            std::to_string(members.size()) + " seeds from " + std::to_string(members.front().seed()) +
             " on. R_0 and Y were calibrated on " +
             std::to_string(std::ranges::count_if(results, &RowResult::fitted)) + " of the rows and on " +
             (shares_seeds(plan, reproduction) ? "some of these" : "other") +
@@ -322,27 +331,11 @@ Section table4(Reproduction& reproduction)
                       live_table(reproduction, choose_live_runs(scenario, results, members)),
                       seeds_table(results, members), resolution_study(reproduction, section.text)};
     section.claims = claims_about(results);
-    PlotPanel panel{"Frame of rupture", "row of Table 4", "frame", {}, true};
-    PlotSeries theirs{"paper", {}, {}, "points", 1};
-    PlotSeries ours{"mean of the seeds", {}, {}, "points", 0};
-    PlotSeries single{"single seeds", {}, {}, "dots", 5};
-    for (std::size_t k = 0; k < results.size(); ++k) {
-        const auto x = static_cast<double>(k + 1);
-        theirs.x.push_back(x);
-        theirs.y.push_back(paper[k]);
-        ours.x.push_back(x);
-        ours.y.push_back(here[k]);
-        for (const double frame : results[k].frames) {
-            single.x.push_back(x);
-            single.y.push_back(frame);
-        }
-    }
-    panel.series = {single, ours, theirs};
-    section.pictures.push_back(
-        plot(reproduction.folder("table4") / "table4.png",
-             "Frame of rupture, rows of Table 4 in its order: sigma 0.2, 0.3, 0.4, 0.5, "
-             "0.6 at phi 0.003, then phi 0.004, 0.005, 0.006 at sigma 0.4.",
-             1, {panel}));
+    section.pictures.push_back(plot(
+        reproduction.folder("table4") / "table4.png",
+        "Frame of rupture: of single seeds, their mean, and the paper's, by either variable of Table 4.", 2,
+        {panel(results, "phi 0.003", "sigma", &RuptureRow::sigma, &RuptureRow::phi),
+         panel(results, "sigma 0.4", "phi", &RuptureRow::phi, &RuptureRow::sigma)}));
     return section;
 }
 

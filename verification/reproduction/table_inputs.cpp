@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables 1 and 2: the paper's given values, and the shapes as the wall has them.
 #include "common/scenario/shipped.hpp"
+#include "common/text.hpp"
 #include "common/vessel/geometry.hpp"
 #include "reference/bifurcation.hpp"
 #include "verification/reproduction/items.hpp"
@@ -57,14 +58,11 @@ Widths measure(const Scenario& scenario)
 /// A scenario's value; a list with spaces, so that a table can break it.
 std::string in_words(const nlohmann::json& value)
 {
-    if (!value.is_array()) {
-        return value.dump();
-    }
-    std::string words;
+    std::vector<std::string> words;
     for (const nlohmann::json& element : value) {
-        words += (words.empty() ? "" : ", ") + element.dump();
+        words.push_back(element.dump());
     }
-    return words;
+    return value.is_array() ? joined(words) : value.dump();
 }
 
 } // namespace
@@ -73,18 +71,18 @@ Section table1(Reproduction& reproduction)
 {
     const Scenario scenario = shipped_scenario("base");
     const nlohmann::json ours = nlohmann::json::parse(to_json(scenario));
-    ResultTable table{"", {"symbol", "meaning", "paper", "here", "unit", "scenario key", "same"}, {}};
+    ResultTable table{"", {"symbol", "meaning", "paper", "here", "unit", "scenario key", "same"}};
     std::size_t same = 0;
     for (const auto& row : reproduction.paper.at("table1")) {
         const std::string path = row.at("path");
         const double here = ours.at(pointer(path));
         const double there = row.at("value");
         same += here == there ? 1 : 0;
-        table.rows.push_back({row.at("symbol"), row.at("meaning"), number(there), number(here),
-                              row.at("unit"), path, here == there ? "yes" : "no"});
+        table.add(row.at("symbol").get<std::string>(), row.at("meaning").get<std::string>(), there, here,
+                  row.at("unit").get<std::string>(), path, here == there ? "yes" : "no");
     }
-    ResultTable assumed{
-        "Values that the paper doesn't give, calibrated set", {"scenario key", "value", "why"}, {}};
+    ResultTable assumed{"Values that the paper doesn't give, calibrated set",
+                        {"scenario key", "value", "why"}};
     const Scenario calibrated = calibrated_scenario();
     const nlohmann::json theirs = nlohmann::json::parse(to_json(calibrated));
     for (const auto& [path, reason] : calibrated.assumed) {
@@ -100,8 +98,7 @@ Section table1(Reproduction& reproduction)
 Section table2(Reproduction& reproduction)
 {
     ResultTable table{"Widths of the developed sac, in artery radii, measured on the wall",
-                      {"shape", "neck, paper", "neck, here", "base, paper", "base, here"},
-                      {}};
+                      {"shape", "neck, paper", "neck, here", "base, paper", "base, here"}};
     bool within = true;
     for (const auto& row : reproduction.paper.at("table2")) {
         const std::string shape = row.at("shape");
@@ -112,8 +109,7 @@ Section table2(Reproduction& reproduction)
         const double base = row.at("base_width_radii");
         within = within && std::abs(widths.neck / r_0 / neck - 1) < 0.01 &&
                  std::abs(widths.base / r_0 / base - 1) < 0.01;
-        table.rows.push_back(
-            {shape, number(neck), number(widths.neck / r_0), number(base), number(widths.base / r_0)});
+        table.add(shape, neck, widths.neck / r_0, base, widths.base / r_0);
     }
     Section section{"table2", "Table 2: neck and base width of the three shapes"};
     section.text = {

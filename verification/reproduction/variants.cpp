@@ -1,28 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/reproduction/variants.hpp"
 
-#include "common/error.hpp"
 #include "common/scenario/shipped.hpp"
-
-#include <map>
 
 namespace aneurysm::reproduction
 {
 namespace
 {
-
-SacShape shape_of(const std::string& name)
-{
-    const std::map<std::string, SacShape> shapes{{"hemispherical", SacShape::hemispherical},
-                                                 {"spherical", SacShape::spherical},
-                                                 {"piriform", SacShape::piriform}};
-    const auto found = shapes.find(name);
-    if (found == shapes.end()) {
-        throw InputError("data/paper.json: table2", "unknown shape (" + name + ")",
-                         "allowed: hemispherical, spherical, piriform");
-    }
-    return found->second;
-}
 
 /// Long enough to see, with particles to draw, and enough of them in reserve for the largest sac.
 Scenario drawn(std::int64_t frames)
@@ -49,12 +33,10 @@ std::vector<Variant> shape_variants(const Reproduction& reproduction)
     std::vector<Variant> all;
     for (const auto& row : reproduction.paper.at("table2")) {
         const std::string name = row.at("shape");
-        Scenario scenario = drawn(3000);
-        scenario.name += "_" + name;
-        scenario.aneurysm.shape = shape_of(name);
-        scenario.aneurysm.neck_width_radii = row.at("neck_width_radii");
-        scenario.aneurysm.base_width_radii = row.at("base_width_radii");
-        all.push_back({name, scenario});
+        const nlohmann::json sac{{"shape", name},
+                                 {"neck_width_radii", row.at("neck_width_radii")},
+                                 {"base_width_radii", row.at("base_width_radii")}};
+        all.push_back({name, changed(drawn(3000), {{"aneurysm", sac}}, name, "data/paper.json: table2")});
     }
     return all;
 }
