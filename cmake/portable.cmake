@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# A program that needs nothing but the C library of the machine that it is carried to, not older than this one's.
+# Programs that need nothing but their folder and the C library of the machine that they are carried to, not older
+# than this one's.
 # HDF5's own list of libraries is for its network driver, which no program here uses.
 set(static_libraries)
 foreach(name sz aec z)
@@ -12,10 +13,19 @@ set_target_properties(GSL::gsl PROPERTIES IMPORTED_LOCATION ${ANEURYSM_LIBGSL} I
 set_target_properties(GSL::gslcblas PROPERTIES IMPORTED_LOCATION ${ANEURYSM_LIBGSLCBLAS}
                       IMPORTED_LOCATION_RELEASE ${ANEURYSM_LIBGSLCBLAS})
 set_property(TARGET hdf5::hdf5 PROPERTY INTERFACE_LINK_LIBRARIES ${static_libraries} m ${CMAKE_DL_LIBS})
-target_link_options(aneurysm PRIVATE -static-libstdc++ -static-libgcc)
-# Debian has Google Benchmark only as a shared library, which needs the C++ library's; it goes with its program.
-get_target_property(library benchmark::benchmark IMPORTED_LOCATION_NONE)
-get_target_property(name benchmark::benchmark IMPORTED_SONAME_NONE)
+# What there is only as a shared library goes with the programs.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
-file(COPY_FILE ${library} ${PROJECT_BINARY_DIR}/bin/${name})
-set_property(TARGET bench_frames PROPERTY BUILD_RPATH "$ORIGIN")
+function(aneurysm_carry library name)
+  file(REAL_PATH ${library} file)
+  file(COPY_FILE ${file} ${PROJECT_BINARY_DIR}/bin/${name})
+endfunction()
+foreach(target benchmark::benchmark TBB::tbb)
+  get_target_property(library ${target} IMPORTED_LOCATION_NONE)
+  get_target_property(name ${target} IMPORTED_SONAME_NONE)
+  aneurysm_carry(${library} ${name})
+endforeach()
+foreach(name libstdc++.so.6 libgcc_s.so.1)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=${name} OUTPUT_VARIABLE library OUTPUT_STRIP_TRAILING_WHITESPACE)
+  aneurysm_carry(${library} ${name})
+endforeach()
+set_property(TARGET aneurysm aneurysm-sensitivity bench_frames PROPERTY BUILD_RPATH "$ORIGIN")
