@@ -91,7 +91,39 @@ void check_phases(Probe& probe, const History& run)
         .holds(ruptured);
 }
 
-/// While the wall lives: (21), (22), (23), (13), (28) from the recorded impact forces.
+/// (28) from the recorded impact forces, while the wall lives: a sum over all of them.
+void check_displacement(Probe& probe, const History& run)
+{
+    Quantity& displacement = probe.quantity(
+        "displacement u of (28) [m]", Source::rounding,
+        "gamma_(20 + 4n) of the sum of |terms| of the oracle, dt^2/m F_j sin(k theta)/sin theta, n frames");
+    const Scenario& s = run.scenario;
+    const double dt = s.time.frame_s;
+    const double omega = std::sqrt(s.elastic_wall.stiffness_n_m / s.elastic_wall.mass_kg);
+    const double theta = 2 * std::asin(omega * dt / 2);
+    std::vector<double> F;
+    for (const FrameRecord& r : run.frames) {
+        if (r.frame <= run.warm_up()) {
+            continue;
+        }
+        F.push_back(r.impact_force);
+        const auto n = static_cast<double>(F.size());
+        double u = 0;
+        double terms = 0;
+        for (std::size_t j = 0; j < F.size(); ++j) {
+            const double k = n - static_cast<double>(j);
+            const double term = dt * dt / s.elastic_wall.mass_kg * F[j] / std::sin(theta);
+            u += term * std::sin(k * theta);
+            terms += std::abs(term);
+        }
+        displacement.within(r.displacement, u, rounding(20 + 4 * n) * terms, frame(r));
+        if (r.phase == Phase::ruptured) {
+            break;
+        }
+    }
+}
+
+/// While the wall lives: (21), (22), (23), (13) from the recorded impact forces.
 void check_wall(Probe& probe, const History& run)
 {
     const Scenario& s = run.scenario;
@@ -107,17 +139,12 @@ void check_wall(Probe& probe, const History& run)
     Quantity& pressure =
         probe.quantity("critical pressure P_c, relative [1]", Source::rounding,
                        "gamma_9 of the product, and gamma_9 of the oracle's 2 E h/((1 + sigma) R)");
-    Quantity& displacement = probe.quantity(
-        "displacement u of (28) [m]", Source::rounding,
-        "gamma_(20 + 4n) of the sum of |terms| of the oracle, dt^2/m F_j sin(k theta)/sin theta, n frames");
     const double sigma = s.rupture.poisson_ratio;
     const analytic::Wall wall{s.rupture.yield_limit_pa, sigma, s.rupture.porosity, run.R_0(), run.h_0(), 0};
-    const double omega = std::sqrt(s.elastic_wall.stiffness_n_m / s.elastic_wall.mass_kg);
-    const double theta = 2 * std::asin(omega * dt / 2);
     double R = run.R_0();
     double log_h = 0;
     double lost = 0; // relative error of h by the differences of radii
-    std::vector<double> F;
+    std::int64_t n = 0;
     Plot plot{"The wall's history", "frame", "h/h_0, R/R_0", false, false, {}};
     Series found_h{"h/h_0", {}, {}, false};
     Series predicted_h{"h/h_0 predicted", {}, {}, true};
@@ -135,20 +162,11 @@ void check_wall(Probe& probe, const History& run)
                            : std::log1p(-sigma * (r.radius - R) / R);
         lost += developed ? s.growth.thinning_intensity_per_m * 2 * step.dR.error : sigma * 0x1p-52;
         R = r.radius;
-        F.push_back(r.impact_force);
-        const auto n = static_cast<double>(F.size());
-        thickness.within(r.thickness / run.h_0(), std::exp(log_h), 2 * rounding(5 * n + 8) + lost, frame(r));
+        ++n;
+        thickness.within(r.thickness / run.h_0(), std::exp(log_h),
+                         2 * rounding(5 * static_cast<double>(n) + 8) + lost, frame(r));
         const double P_c = 2 * wall.modulus() * r.thickness / ((1 + sigma) * r.radius);
         pressure.within(r.critical_pressure / P_c, 1, 2 * rounding(9), frame(r));
-        double u = 0;
-        double terms = 0;
-        for (std::size_t j = 0; j < F.size(); ++j) {
-            const double k = n - static_cast<double>(j);
-            const double term = dt * dt / s.elastic_wall.mass_kg * F[j] / std::sin(theta);
-            u += term * std::sin(k * theta);
-            terms += std::abs(term);
-        }
-        displacement.within(r.displacement, u, rounding(20 + 4 * n) * terms, frame(r));
         found_h.x.push_back(static_cast<double>(r.frame));
         found_h.y.push_back(r.thickness / run.h_0());
         predicted_h.x.push_back(static_cast<double>(r.frame));
@@ -170,6 +188,7 @@ void wall_history(Probe& probe)
     const History history = run(probe, scenario, 180);
     check_phases(probe, history);
     check_wall(probe, history);
+    check_displacement(probe, history);
 }
 
 /// A sac that is nearly fully developed: the switch from (22) to (23), and its cap.
@@ -182,6 +201,7 @@ void developed_history(Probe& probe)
     scenario.rupture.yield_limit_pa = 1e6; // holds
     const History history = run(probe, scenario, 120);
     check_wall(probe, history);
+    check_displacement(probe, history);
     Quantity& phases = probe.quantity(
         "frames of each phase", Source::exact,
         "a claim: growing and fully developed frames are there, with increments above and below the cap");
