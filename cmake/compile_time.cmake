@@ -3,8 +3,8 @@
 #
 # aneurysm_precompile(target): the headers of the standard library that nearly all sources include are parsed once. Only
 # with g++, and not under the sanitizers, whose build would notice an include that is missing.
-# aneurysm_light(target): a room that computes few numbers is optimized little, too.
-# aneurysm_light_test(target): the same with Boost.Test.
+# aneurysm_light(target [headers]): a room that computes few numbers is optimized little, too; its headers are those of the
+# target aneurysm_headers_light, or another's.
 set(headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numbers> <optional>
             <span> <sstream> <string> <string_view> <utility> <vector>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT ANEURYSM_SANITIZE)
@@ -41,14 +41,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 function(aneurysm_light target)
   target_compile_options(${target} PRIVATE ${light_options})
+  set(headers aneurysm_headers_light ${ARGN})
+  list(GET headers -1 headers)
   if(aneurysm_precompiles)
-    target_precompile_headers(${target} REUSE_FROM aneurysm_headers_light)
-  endif()
-endfunction()
-
-function(aneurysm_light_test target)
-  target_compile_options(${target} PRIVATE ${light_options})
-  if(aneurysm_precompiles)
-    target_precompile_headers(${target} REUSE_FROM aneurysm_headers_test)
+    target_precompile_headers(${target} REUSE_FROM ${headers})
   endif()
 endfunction()

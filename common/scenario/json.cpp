@@ -13,6 +13,16 @@
 
 namespace aneurysm::fields
 {
+
+std::string describe(const Range& range, bool integer)
+{
+    const auto text = [integer](double x) {
+        return integer ? Json(static_cast<std::int64_t>(x)).dump() : Json(x).dump();
+    };
+    return std::string(integer ? "an integer " : "a number ") + (range.low_open ? "> " : ">= ") +
+           text(range.low) + " and " + (range.high_open ? "< " : "<= ") + text(range.high);
+}
+
 namespace
 {
 
@@ -68,16 +78,6 @@ std::string reason_of(const nlohmann::json::exception& error)
     const bool printable = text.find("ill-formed UTF-8") == std::string::npos;
     const auto from = start == std::string::npos ? 0 : start + 2;
     return text.substr(from, printable ? std::string::npos : quoted - from);
-}
-
-/// "a number > 0 and <= 1.0"
-std::string describe(const Range& range, bool integer)
-{
-    const auto text = [integer](double x) {
-        return integer ? Json(static_cast<std::int64_t>(x)).dump() : Json(x).dump();
-    };
-    return std::string(integer ? "an integer " : "a number ") + (range.low_open ? "> " : ">= ") +
-           text(range.low) + " and " + (range.high_open ? "< " : "<= ") + text(range.high);
 }
 
 /// One JSON value into one member.

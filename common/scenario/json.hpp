@@ -42,6 +42,9 @@ inline std::string place(const std::string& origin, std::string_view path)
     return text.append(path);
 }
 
+/// What a range allows, for messages: "a number > 0 and <= 1.0".
+std::string describe(const Range& range, bool integer);
+
 /// Parses JSON text; refuses malformed text and keys that appear twice in an object.
 Json parse_strictly(const std::string& text, const std::string& origin);
 

@@ -2,6 +2,7 @@
 #include "common/scenario/json.hpp"
 #include "common/scenario/limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
@@ -30,7 +31,10 @@ public:
 
     void check() const
     {
-        fields::visit(s_, [this](const Field& field, const auto& member) { check_reason(field, member); });
+        fields::visit(s_, [this](const Field& field, const auto& member) {
+            check_range(field, member);
+            check_reason(field, member);
+        });
         check_domain();
         check_sac();
         if (s_.domain.form == DomainForm::artery) {
@@ -78,6 +82,27 @@ private:
             return origin.gives(static_cast<double>(member.size()));
         } else {
             return false;
+        }
+    }
+
+    /// The reader's rule once more: a scenario may have been made by other means.
+    template <class Member>
+    void check_range(const Field& field, const Member& member) const
+    {
+        const auto check_number = [&](double x) {
+            if (!field.range.contains(x)) {
+                refuse(std::string(field.path), "out of range (" + text(x) + ")",
+                       fields::describe(field.range, std::is_integral_v<Member>));
+            }
+        };
+        if constexpr (std::is_same_v<Member, Vec3>) {
+            check_number(member.x);
+            check_number(member.y);
+            check_number(member.z);
+        } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
+            std::ranges::for_each(member, check_number);
+        } else if constexpr (std::is_arithmetic_v<Member>) {
+            check_number(static_cast<double>(member));
         }
     }
 

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <set>
 #include <type_traits>
 
@@ -183,6 +184,25 @@ BOOST_AUTO_TEST_CASE(a_value_out_of_range_is_refused)
             BOOST_TEST(refused_with(field.path, Json::array({0, 0})), field.path);
         } else if constexpr (std::is_same_v<Member, std::vector<double>>) {
             BOOST_TEST(refused_with(field.path, Json::array({0, above})), field.path);
+        }
+    });
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused)
+{
+    const Scenario good = base();
+    fields::visit(good, [&](const fields::Field& field, const auto& member) {
+        if constexpr (std::is_same_v<decltype(member), const double&>) {
+            for (const double bad :
+                 {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+                Scenario s = good;
+                fields::visit(s, [&](const fields::Field& other, auto& value) {
+                    if constexpr (std::is_same_v<decltype(value), double&>) {
+                        value = other.path == field.path ? bad : value;
+                    }
+                });
+                BOOST_CHECK_THROW(validate(s, "here"), InputError);
+            }
         }
     });
 }

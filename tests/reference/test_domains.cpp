@@ -67,6 +67,30 @@ BOOST_AUTO_TEST_CASE(places_return_through_the_seams)
     BOOST_TEST(inside.z == 0.25 * edge.z);
 }
 
+BOOST_AUTO_TEST_CASE(uniform_motion_carries_the_lattice_through_the_seams)
+{
+    const Scenario s = scenario("box");
+    SimulationState state = reference::Simulation(s).state();
+    const Vec3 v{2, -1, 0.5}; // multiples of a power of two: a lattice that moves stays exact
+    std::ranges::fill(state.particles.velocity, v);
+    const SimulationState start = state;
+    reference::Simulation box(s, std::move(state));
+    const Vec3 edge = Vessel(s, 0.1).extent();
+    for (int frame = 1; frame <= 100; ++frame) {
+        BOOST_TEST(box.advance().density_error_max < 1e-12);
+    }
+    const auto moved = [&](double x, double way, double L) {
+        return x + way - L * std::floor((x + way) / L);
+    };
+    for (std::size_t i = 0; i < start.particles.size(); ++i) {
+        const Vec3& x = start.particles.position[i];
+        const Vec3 expected{moved(x.x, 0.2, edge.x), moved(x.y, -0.1, edge.y), moved(x.z, 0.05, edge.z)};
+        const Vec3 d = box.state().particles.position[i] - expected;
+        // 100 additions of numbers below the edge
+        BOOST_REQUIRE(std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) < 100 * 0x1p-53 * edge.x);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(fewer_particles_than_cells_are_refused)
 {
     Scenario few = scenario("channel");

@@ -47,12 +47,13 @@ std::vector<Check> boundary_elastic_wall_checks(); // (28)
 std::vector<Check> boundary_collision_checks();    // Fig. 1
 
 // sums, L1
-std::vector<Check> blood_flow_sums_checks();     // (1), (4)-(7), (15), EOS
-std::vector<Check> blood_flow_mass_checks();     // (2)
-std::vector<Check> blood_flow_momentum_checks(); // (3), (7)
-std::vector<Check> incompressible_checks();      // (3)
-std::vector<Check> neighbors_checks();           // (5), (7)
-std::vector<Check> boundary_ghosts_checks();     // (27)
+std::vector<Check> blood_flow_sums_checks();       // (1), (4)-(7), (15), EOS
+std::vector<Check> blood_flow_mass_checks();       // (2)
+std::vector<Check> blood_flow_momentum_checks();   // (3), (7)
+std::vector<Check> incompressible_waves_checks();  // (3)
+std::vector<Check> incompressible_bodies_checks(); // (3)
+std::vector<Check> neighbors_checks();             // (5), (7)
+std::vector<Check> boundary_ghosts_checks();       // (27)
 
 // flows, L2
 std::vector<Check> blood_flow_steps_checks();            // (1), (7), (15), EOS

@@ -9,6 +9,7 @@
 #include "verification/comparison/hash_file.hpp"
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <type_traits>
 
@@ -117,22 +118,26 @@ void units(Probe& probe)
         "K A epsilon is N m with A in m^2; the run is the same in all units only if A_E and A_C are lengths");
 }
 
+/// Stopped every 30 frames, before and after the wall ruptures.
 void restart(Probe& probe)
 {
     Quantity& hashes = probe.quantity("hashes of a run that was stopped and taken up again", Source::exact,
                                       "bits: a state holds everything that the run needs to go on");
+    Quantity& ruptured = probe.quantity("the run ruptures", Source::exact,
+                                        "a claim: else the state of a ruptured wall isn't seen");
     const Scenario s = shipped_scenario("quick");
     const auto whole = probe.simulate(s);
-    for (int n = 0; n < 30; ++n) {
+    std::unique_ptr<Simulation> resumed;
+    for (int n = 0; n < 180; ++n) {
+        if (n % 30 == 0) {
+            resumed = probe.simulate(s, whole->state());
+        }
         whole->advance();
-    }
-    const auto second = probe.simulate(s, whole->state());
-    for (int n = 30; n < 60; ++n) {
-        whole->advance();
-        second->advance();
-        hashes.holds(comparison::hashes_of(whole->state()) == comparison::hashes_of(second->state()),
+        resumed->advance();
+        hashes.holds(comparison::hashes_of(whole->state()) == comparison::hashes_of(resumed->state()),
                      "frame " + std::to_string(n + 1));
     }
+    ruptured.holds(whole->state().aneurysm.phase == Phase::ruptured);
 }
 
 void threads(Probe& probe)
