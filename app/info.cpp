@@ -119,15 +119,16 @@ std::string program_info()
     return text.str();
 }
 
-/// Every equation of the paper with its status and deviation.
+/// Every equation of the paper with its status, its use and its deviation.
 std::string equation_table()
 {
     std::ostringstream text;
     for (const Equation& e : equations) {
         text << "  " << std::left << std::setw(5) << e.id << std::setw(5) << e.section << std::setw(15)
-             << suite::name_of(e.status) << e.title << "  [" << e.function << "]\n";
+             << suite::name_of(e.status) << std::setw(14) << suite::name_of(e.use) << e.title << "  ["
+             << e.function << "]\n";
         if (!e.deviation.empty()) {
-            text << std::string(27, ' ') << e.deviation << "\n";
+            text << std::string(41, ' ') << e.deviation << "\n";
         }
     }
     return text.str();
@@ -166,7 +167,7 @@ void add_info(CLI::App& app, std::optional<int>& code)
         if (options->schema) {
             std::cout << scenario_schema();
         } else if (options->scenario.empty()) {
-            std::cout << program_info() << "Equations of the paper: number, section, status, title\n"
+            std::cout << program_info() << "Equations of the paper: number, section, status, in runs, title\n"
                       << equation_table();
         } else {
             std::cout << scenario_info(read_scenario(options->scenario));

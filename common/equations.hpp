@@ -14,6 +14,13 @@ enum class Status {
     assumed,       ///< the paper leaves a rule open; the deviation says which
 };
 
+/// The place of an equation's function in the runs of the backends; a guard looks for its calls.
+enum class Use {
+    used,    ///< runs call it
+    part,    ///< a part of (21): the reference writes (21) in one line, the others call its parts
+    nominal, ///< no run depends on it: only checks call it
+};
+
 /// One row per equation of the paper. `function` is its one function in `reference/`; guards hold the table
 /// against the sources, the oracles in `analytic/` and the tests.
 struct Equation {
@@ -23,6 +30,7 @@ struct Equation {
     std::string_view function; ///< in namespace aneurysm::reference
     Status status;
     std::string_view deviation; ///< what the paper prints, leaves open or gets wrong; empty: nothing
+    Use use = Use::used;
 };
 
 inline constexpr std::array<Equation, 29> equations{{
@@ -34,7 +42,7 @@ inline constexpr std::array<Equation, 29> equations{{
      "one coupled solve for both conditions, as the paper's references 30 and 31 do; the paper gives no "
      "algorithm"},
     {"4", "3.1", "kernel interpolation", "interpolate", Status::assumed,
-     "the paper names no kernel: cubic spline or Wendland C2"},
+     "the paper names no kernel: cubic spline or Wendland C2", Use::nominal},
     {"5", "3.1", "density summation", "density", Status::printed, ""},
     {"6", "3.1", "pressure force", "pressure_force", Status::reconstructed,
      "minus sign restored. The printed mean (p_i + p_j)/2 converges to HALF the pressure gradient; kept "
@@ -43,27 +51,30 @@ inline constexpr std::array<Equation, 29> equations{{
      "printed with v_i - v_j, which would feed energy; (v_j - v_i) as in the paper's reference 15. The "
      "Laplacian is that of reference 15's viscosity kernel: the cubic spline's own is negative for r < h"},
     {"EOS", "3.1", "equation of state", "equation_of_state", Status::printed,
-     "with the paper's stiffness of 1 the blood collapses; a driving stiffness is the scenario's"},
-    {"8", "3.2", "Laplace's law", "wall_stress", Status::printed, ""},
+     "with the paper's stiffness of 1 the blood collapses; a driving stiffness is the scenario's. Runs that solve "
+     "(3) only record the F_b that follows from it"},
+    {"8", "3.2", "Laplace's law", "wall_stress", Status::printed, "", Use::nominal},
     {"9", "3.2", "Poisson's relation of thickness and radius", "thickness_differential",
-     Status::reconstructed, "minus sign restored: the wall thins as it grows"},
+     Status::reconstructed, "minus sign restored: the wall thins as it grows", Use::nominal},
     {"10", "3.2", "porosity and wall volume", "porosity_differential", Status::reconstructed,
-     "minus sign restored: (12) follows from (8)-(11) only with it"},
+     "minus sign restored: (12) follows from (8)-(11) only with it", Use::nominal},
     {"11", "3.2", "wall stress and porosity", "stress_of_porosity", Status::reconstructed,
-     "minus sign restored: the stress is positive for a porosity below 1"},
-    {"12", "3.2", "radius and pressure", "radius_per_pressure", Status::reconstructed, "fractions restored"},
+     "minus sign restored: the stress is positive for a porosity below 1", Use::nominal},
+    {"12", "3.2", "radius and pressure", "radius_per_pressure", Status::reconstructed, "fractions restored",
+     Use::nominal},
     {"13", "3.2", "critical pressure", "critical_pressure", Status::reconstructed,
      "the zero of the denominator of (12)"},
-    {"14", "3.2", "impulse and momentum", "impulse_force", Status::printed, ""},
+    {"14", "3.2", "impulse and momentum", "impulse_force", Status::printed, "", Use::nominal},
     {"15", "3.2", "acceleration of a particle", "acceleration", Status::printed, ""},
     {"16", "3.2", "largest impact force on the wall", "impact_force", Status::reconstructed,
      "the norm is implied; S is empty in some frames, which counts as no impact. The paper compares this "
      "force with a pressure: the scenario's conversion area makes the units honest"},
-    {"17", "3.3", "forces on the wall", "net_wall_force", Status::reconstructed, "minus signs restored"},
-    {"18", "3.3", "resistance of the tissue fluid", "tissue_force", Status::printed, ""},
+    {"17", "3.3", "forces on the wall", "net_wall_force", Status::reconstructed, "minus signs restored",
+     Use::nominal},
+    {"18", "3.3", "resistance of the tissue fluid", "tissue_force", Status::printed, "", Use::part},
     {"19", "3.3", "resistance of elastin and collagen", "fiber_force", Status::printed,
-     "the printed stress equals the strain, without a modulus"},
-    {"20", "3.3", "strain of the wall", "strain", Status::printed, ""},
+     "the printed stress equals the strain, without a modulus", Use::part},
+    {"20", "3.3", "strain of the wall", "strain", Status::printed, "", Use::part},
     {"21", "3.3", "growth of the radius", "radius_increment", Status::reconstructed,
      "one backward-Euler step from rest: it has no limit as the time step goes to 0, so the time step is a "
      "model parameter"},

@@ -9,12 +9,13 @@ namespace aneurysm::reproduction
 
 Section errata(Reproduction& reproduction)
 {
-    ResultTable by_equation{"Equations",
-                            {"equation", "title", "read", "what is printed, and what is done here"}};
+    ResultTable by_equation{
+        "Equations", {"equation", "title", "in runs", "read", "what is printed, and what is done here"}};
     for (const Equation& e : equations) {
         if (!e.deviation.empty()) {
             by_equation.add("(" + std::string(e.id) + ")", std::string(e.title),
-                            std::string(suite::name_of(e.status)), std::string(e.deviation));
+                            std::string(suite::name_of(e.use)), std::string(suite::name_of(e.status)),
+                            std::string(e.deviation));
         }
     }
     ResultTable others{"Tables, figures and text", {"where", "what", "read as"}};

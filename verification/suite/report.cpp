@@ -280,12 +280,13 @@ void add_equations(Document& document, const SuiteReport& report)
     for (const SuiteSubject& s : report.suite.subjects) {
         table.columns.push_back(number(s.subject.name()));
     }
-    table.columns.insert(table.columns.end(),
-                         {prose("how the printed formula is read"), prose("checks: what they compare with")});
+    table.columns.insert(table.columns.end(), {"in runs", prose("how the printed formula is read"),
+                                               prose("checks: what they compare with")});
     for (const EquationSummary& e : report.equations) {
         Row row{number_of(*e.equation), e.equation->title, verdict_cell(e)};
         std::ranges::transform(e.cells, std::back_inserter(row), subject_cell);
-        row.insert(row.end(), {Text(name_of(e.equation->status), Look::strong) +
+        row.insert(row.end(), {name_of(e.equation->use),
+                               Text(name_of(e.equation->status), Look::strong) +
                                    (e.equation->deviation.empty() ? "" : ": ") + e.equation->deviation,
                                checks_cell(report, e)});
         table.rows.push_back(std::move(row));
@@ -298,7 +299,9 @@ void add_equations(Document& document, const SuiteReport& report)
                "formulas of the fast version are the same functions in 16 and in 7 digits and are checked once "
                "by themselves; its flows are checked in both. “Equal” has no independent answer of its own, "
                "but was compared with the reference. A formula is read as printed, or reconstructed where "
-               "signs and fractions are lost in print, or assumed where the paper leaves a rule open.")
+               "signs and fractions are lost in print, or assumed where the paper leaves a rule open. Runs call the "
+               "function of an equation that is “used”. Of one that is “nominal” no run depends: it leads to "
+               "others, or to nothing, and only checks call its function.")
         << table;
 }
 

@@ -73,6 +73,7 @@ output::Json to_json(const EquationSummary& e)
             {"title", e.equation->title},
             {"reading", name_of(e.equation->status)},
             {"deviation", e.equation->deviation},
+            {"in_runs", name_of(e.equation->use)},
             {"verdict", name_of(e.verdict)},
             {"remark", e.remark},
             {"checks", output::json_array(e.checks, [](const Check* c) { return c->id; })},

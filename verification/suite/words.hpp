@@ -76,6 +76,9 @@ template <>
 inline constexpr std::array words<Status>{Word{"printed"}, Word{"reconstructed"}, Word{"assumed"}};
 
 template <>
+inline constexpr std::array words<Use>{Word{"used"}, Word{"part of (21)"}, Word{"nominal"}};
+
+template <>
 inline constexpr std::array words<Scope>{Word{"equations"}, Word{"flows"}, Word{"backends"}, Word{"once"}};
 
 template <class Enum>
