@@ -61,7 +61,7 @@ void print(const reproduction::Section& section)
         std::cout << "  " << line << "\n";
     }
     for (const reproduction::Claim& claim : section.claims) {
-        std::cout << "  " << (claim.holds ? "holds: " : "DOES NOT HOLD: ") << claim.words << " ("
+        std::cout << "  " << verdict_of(claim) << ", " << basis_of(claim) << ": " << claim.words << " ("
                   << claim.found << ")\n";
     }
     std::cout << std::flush;

@@ -60,6 +60,33 @@ def check_items(scratch):
         expect(claims and all(claim["holds"] for claim in claims), f"{item}: {claims}")
 
 
+def check_text(scratch):
+    """Claims that the equations decide, and the arithmetic of the errata, worked out here once more."""
+    out = scratch / "paper"
+    reproduce("text", "errata", "--out", out)
+    scenario = read_json(data / "scenarios/calibrated.json")
+    base = read_json(data / "scenarios/base.json")
+    R_0 = scenario["aneurysm"]["initial_radius_radii"] * scenario["vessel"]["radius_m"]
+    R = base["aneurysm"]["base_width_radii"] / 2 * scenario["vessel"]["radius_m"]
+    claims = read_json(out / "text/text.json")["claims"]
+    verdicts = [(claim["verdict"], claim["decided"]) for claim in claims]
+    holds, excluded = ("holds", "by the equations"), ("cannot hold", "by the equations")
+    expect(verdicts == [holds, holds, holds, excluded, holds, excluded, ("does not hold", "by measurement")],
+           f"claims of the text: {verdicts}")
+    expect(f"takes {1.6 * math.log(R / R_0):.4f}" in claims[5]["found"], f"(10): {claims[5]}")
+    expect(f"to {1.1 * R / 0.4:.2f} of what" in claims[6]["found"], f"(23): {claims[6]}")
+    first, *others = [float(row["P_c / Y"]) for row in read_rows(out / "text/text.csv")[:5]]
+    for sigma, P_c in zip((0.3, 0.4, 0.5, 0.6), others, strict=True):
+        # (13) and the integral of (22)
+        law = (2 - sigma) / (1 + sigma) / (1.8 / 1.2) * (R / R_0) ** (0.2 - sigma)
+        expect(abs(P_c / first / law - 1) < 1e-3, f"text.csv: sigma {sigma}: {P_c / first}, not {law}")
+    dR = 400 / (0.1e6 + 1.5e7 + 16035.2 / R)  # (21) with 400 N, rho_F a c / dt = 1.5e7 N/m
+    expected = [0, 0.125, 0.5, 0.003 / 1.6, 4 * 5e-5 * 1e6 * 1.6 / (3 * 1.6e-3 * 0.003 * 1.4), 992.1, 1008, 83.9,
+                -5 / 3, 0.6 / 2.6, 0, 16035.2 / R, 1e6, 1000 * dR, 4e-4]
+    for row, value in zip(read_rows(out / "errata/errata_3.csv"), expected, strict=True):
+        expect(abs(float(row["value"]) - value) <= 1e-3 * abs(value), f"errata_3.csv: {row}, not {value}")
+
+
 def check_calibrated_values(_):
     """What follows from other values is what its reason in the scenario says."""
     scenario = read_json(data / "scenarios/calibrated.json")
@@ -104,4 +131,4 @@ def check_interruption(scratch):
     expect((run / "checkpoint.h5").exists(), "no checkpoint to go on from")
 
 
-program.check_all(check_items, check_calibrated_values, check_bad_input, check_interruption)
+program.check_all(check_items, check_text, check_calibrated_values, check_bad_input, check_interruption)

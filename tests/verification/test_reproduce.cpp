@@ -94,6 +94,24 @@ BOOST_AUTO_TEST_CASE(impacts_that_are_not_the_runs_own_are_refused)
     BOOST_CHECK_THROW(reproduction::wall_along(other, held().records), Error);
 }
 
+BOOST_AUTO_TEST_CASE(a_wall_under_a_steady_impact_is_the_wall_along_a_record_of_it)
+{
+    const Scenario scenario = reproduction::unbreakable(quick());
+    const std::vector<reproduction::WallFrame> frames = reproduction::wall_under(scenario, 400, 150);
+    std::vector<FrameRecord> records;
+    for (const reproduction::WallFrame& frame : frames) {
+        records.emplace_back();
+        records.back().frame = std::ssize(records);
+        records.back().impact_force = 400;
+        records.back().radius = frame.radius;
+    }
+    const reproduction::WallHistory history = reproduction::wall_along(scenario, records);
+    BOOST_TEST_REQUIRE(history.frames.size() == frames.size());
+    BOOST_TEST(history.frames.back().thickness == frames.back().thickness);
+    BOOST_TEST(history.frames.back().critical_pressure == frames.back().critical_pressure);
+    BOOST_TEST(frames.back().radius > frames.front().radius);
+}
+
 BOOST_AUTO_TEST_CASE(frames_of_rupture_by_yield_limit_are_those_of_the_walls)
 {
     for (const reproduction::RuptureRow& row : walls()) {

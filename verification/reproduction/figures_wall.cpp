@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr std::size_t warm_up = 100; ///< frames, section 4.4
+constexpr double quarter = 0.25;     ///< what "alike" and "little" are taken to mean
 
 /// A number of each frame, from frame 1.
 template <class Frame>
@@ -87,7 +88,7 @@ Claim warm_up_differs(const std::vector<Member>& members, std::size_t cycle)
         return sum;
     });
     const double ratio = first / later;
-    return {"The first 100 frames are abnormal, the warm-up", std::abs(ratio - 1) > 0.25,
+    return {"The first 100 frames are abnormal, the warm-up", std::abs(ratio - 1) > quarter,
             "mean F_b of frames 1-100 is " + number(first) + " N, of the same part of later cycles " +
                 number(later) + " N"};
 }
@@ -148,6 +149,52 @@ std::vector<Claim> claims_about(const std::vector<Shape>& all)
              "mean P_c in frame 1000 [Pa]: " + joined(pressures)}};
 }
 
+/// Standard deviation of F_b of a member, frames 401-3000 [N].
+double fluctuation(const Member& member)
+{
+    std::vector<double> impacts;
+    for (const FrameRecord& record : std::span(member.records).subspan(400, 2600)) {
+        impacts.push_back(record.impact_force);
+    }
+    return spread(impacts).deviation;
+}
+
+Claim fluctuations_alike(const std::vector<Shape>& all)
+{
+    std::vector<double> deviations;
+    std::vector<std::string> found;
+    for (const Shape& shape : all) {
+        deviations.push_back(mean(shape.members, fluctuation));
+        found.push_back(shape.name + " " + number(deviations.back()));
+    }
+    const auto [least, most] = std::ranges::minmax(deviations);
+    return {"The fluctuations of F_b are alike for the three shapes (Fig. 7a)", most < (1 + quarter) * least,
+            "standard deviation in frames 401-3000 [N]: " + joined(found) + "; alike: within a quarter"};
+}
+
+/// The share of h that is lost between two frames.
+double lost(const Shape& shape, std::size_t from, std::size_t to)
+{
+    return 1 - shape.middle[to - 1].thickness / shape.middle[from - 1].thickness;
+}
+
+std::vector<Claim> claims_about_thickness(const std::vector<Shape>& all)
+{
+    std::vector<std::string> early;
+    std::vector<std::string> whole;
+    for (const Shape& shape : all) {
+        early.push_back(shape.name + " " + number(100 * lost(shape, 400, 1000), 3) + " %");
+        whole.push_back(shape.name + " " + number(100 * lost(shape, 400, 3000), 3) + " %");
+    }
+    const auto start = [&all](std::size_t k) { return lost(all[k], 400, 1000); };
+    return {{"The thickness of hemispherical and spherical sacs changes little (Fig. 7b)",
+             lost(all[0], 400, 3000) < quarter && lost(all[1], 400, 3000) < quarter,
+             "h falls from frame 400 to 3000 by: " + joined(whole) + "; little: less than a quarter"},
+            {"The thickness of the piriform sac falls the most slowly (Fig. 7b)",
+             start(2) < start(0) && start(2) < start(1),
+             "h falls from frame 400 to 1000, before any sac is fully developed, by: " + joined(early)}};
+}
+
 } // namespace
 
 Section figure7(Reproduction& reproduction)
@@ -177,6 +224,8 @@ Section figure7(Reproduction& reproduction)
                     "paper's do."};
     section.tables.push_back(table);
     section.claims = claims_about(all);
+    section.claims.push_back(fluctuations_alike(all));
+    std::ranges::copy(claims_about_thickness(all), std::back_inserter(section.claims));
     section.pictures.push_back(
         plot(reproduction.folder("fig7") / "fig7.png",
              "Impact force, wall thickness, critical pressure and radius of the three shapes.", 2, panels));
@@ -260,7 +309,8 @@ Section figure10(Reproduction& reproduction)
         "explicit Euler (22), which is predicted."};
     section.tables.push_back(table);
     section.claims = {{"All sigma have the same law of thinning", same_law,
-                       "h R^sigma is constant to the predicted error of Euler's steps, for all five"}};
+                       "h R^sigma is constant to the predicted error of Euler's steps, for all five",
+                       Basis::follows}};
     section.pictures.push_back(plot(reproduction.folder("fig10") / "fig10.png",
                                     "Radius and thickness at a fixed growth per frame.", 2,
                                     {radius, thickness}));

@@ -18,6 +18,7 @@ const std::vector<Item>& all_items()
         {"fig8", "Fig. 8: angles", figure8},
         {"fig9", "Fig. 9: impact, critical pressure and thickness by Poisson's ratio", figure9},
         {"fig10", "Fig. 10: radius and thickness at fixed growth", figure10},
+        {"text", "Text: claims that the equations decide", text},
         {"errata", "Errata", errata},
     };
     return items;

@@ -28,6 +28,7 @@ Section figure7(Reproduction& reproduction);
 Section figure8(Reproduction& reproduction);
 Section figure9(Reproduction& reproduction);
 Section figure10(Reproduction& reproduction);
+Section text(Reproduction& reproduction);
 Section errata(Reproduction& reproduction);
 
 } // namespace aneurysm::reproduction

@@ -43,6 +43,16 @@ std::string percent_off(double a, double b)
     return (off >= 0 ? "+" : "") + std::to_string(off) + " %";
 }
 
+std::string verdict_of(const Claim& claim)
+{
+    return claim.holds ? "holds" : claim.basis == Basis::excluded ? "cannot hold" : "does not hold";
+}
+
+std::string basis_of(const Claim& claim)
+{
+    return claim.basis == Basis::measured ? "by measurement" : "by the equations";
+}
+
 nlohmann::ordered_json to_json(const Section& section)
 {
     using output::Json;
@@ -54,11 +64,14 @@ nlohmann::ordered_json to_json(const Section& section)
                                 [](const ResultTable& t) {
                                     return Json{{"title", t.title}, {"columns", t.columns}, {"rows", t.rows}};
                                 })},
-            {"claims",
-             output::json_array(section.claims,
-                                [](const Claim& c) {
-                                    return Json{{"claim", c.words}, {"holds", c.holds}, {"found", c.found}};
-                                })},
+            {"claims", output::json_array(section.claims,
+                                          [](const Claim& c) {
+                                              return Json{{"claim", c.words},
+                                                          {"holds", c.holds},
+                                                          {"verdict", verdict_of(c)},
+                                                          {"decided", basis_of(c)},
+                                                          {"found", c.found}};
+                                          })},
             {"pictures", output::json_array(section.pictures, [](const Picture& p) {
                  return Json{{"file", p.file.filename().string()}, {"caption", p.caption}};
              })}};

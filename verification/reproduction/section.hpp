@@ -36,17 +36,29 @@ struct ResultTable {
     static std::string cell(std::floating_point auto x) { return number(x); }
 };
 
+/// The way in which it is decided whether a claim holds.
+enum class Basis {
+    measured, ///< in runs or on the wall, with the values of the scenario
+    follows,  ///< it follows from the equations, whatever the values
+    excluded, ///< the equations say otherwise, whatever the values
+};
+
 /// Something that the paper says in words, and what was found here.
 struct Claim {
     std::string words;
     bool holds = false;
     std::string found; ///< the number that decides
+    Basis basis = Basis::measured;
 };
+/// "holds", "does not hold", or "cannot hold" of one that the equations exclude.
+std::string verdict_of(const Claim& claim);
+/// "by measurement" or "by the equations"
+std::string basis_of(const Claim& claim);
 
 using report::Picture;
 
 struct Section {
-    std::string id;    ///< table1 ... fig10
+    std::string id;    ///< table1 ... fig10, text, errata
     std::string title; ///< the paper's
     std::vector<std::string> text{};
     std::vector<ResultTable> tables{};

@@ -18,11 +18,10 @@ using report::Text;
 
 report::Table claims(const std::vector<Claim>& all)
 {
-    report::Table table{{report::prose("what the paper says"), "here", report::prose("found")}};
+    report::Table table{{report::prose("what the paper says"), "here", "decided", report::prose("found")}};
     for (const Claim& claim : all) {
-        table.rows.push_back({claim.words,
-                              claim.holds ? Text("holds", Look::holds) : Text("does not hold", Look::fails),
-                              claim.found});
+        table.rows.push_back({claim.words, Text(verdict_of(claim), claim.holds ? Look::holds : Look::fails),
+                              basis_of(claim), claim.found});
     }
     return table;
 }
@@ -79,7 +78,7 @@ void add_summary(Document& document, const std::vector<Section>& sections)
             {link, of == 0 ? "" : std::to_string(here) + " of " + std::to_string(of) + " claims hold"});
         for (const Claim& claim : s.claims) {
             if (!claim.holds) {
-                broken.items.push_back(Text("does not hold", Look::fails) + ": " + claim.words + " (" +
+                broken.items.push_back(Text(verdict_of(claim), Look::fails) + ": " + claim.words + " (" +
                                        claim.found + "; " + link + ")");
             }
         }

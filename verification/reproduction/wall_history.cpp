@@ -23,14 +23,18 @@ AneurysmState first_wall(const Scenario& scenario)
     return wall;
 }
 
+/// The end of a frame for a wall that has any room to swing: (28) has no part in what is asked here.
+reference::Deform deform_of(const Scenario& scenario, const Vessel& vessel)
+{
+    return {scenario, vessel.largest_radius(), std::numeric_limits<double>::infinity()};
+}
+
 } // namespace
 
 WallHistory wall_along(const Scenario& scenario, std::span<const FrameRecord> records)
 {
     const Vessel vessel(scenario, reference::daughter_radius(scenario.vessel.radius_m));
-    // The elastic wall kept within its limit in the run; it has no part in what is asked here.
-    const reference::Deform deform(scenario, vessel.largest_radius(),
-                                   std::numeric_limits<double>::infinity());
+    const reference::Deform deform = deform_of(scenario, vessel);
     WallHistory history;
     AneurysmState wall = first_wall(scenario);
     for (const FrameRecord& record : records) {
@@ -49,6 +53,19 @@ WallHistory wall_along(const Scenario& scenario, std::span<const FrameRecord> re
             history.rupture_frame = record.frame;
             break;
         }
+    }
+    return history;
+}
+
+std::vector<WallFrame> wall_under(const Scenario& scenario, double impact, std::int64_t frames)
+{
+    const Vessel vessel(scenario, reference::daughter_radius(scenario.vessel.radius_m));
+    const reference::Deform deform = deform_of(scenario, vessel);
+    std::vector<WallFrame> history;
+    AneurysmState wall = first_wall(scenario);
+    for (std::int64_t frame = 1; frame <= frames; ++frame) {
+        const double P_c = deform(wall, frame, impact);
+        history.push_back({wall.radius, wall.thickness, P_c, wall.phase});
     }
     return history;
 }

@@ -35,4 +35,7 @@ struct WallHistory {
 /// \throws Error when R isn't the recorded one to the bit, as where the run itself ruptured
 WallHistory wall_along(const Scenario& scenario, std::span<const FrameRecord> records);
 
+/// The wall under the same impact [N] in each frame, from frame 1 on. No run is needed for it.
+std::vector<WallFrame> wall_under(const Scenario& scenario, double impact, std::int64_t frames);
+
 } // namespace aneurysm::reproduction
