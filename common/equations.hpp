@@ -51,8 +51,8 @@ inline constexpr std::array<Equation, 29> equations{{
      "printed with v_i - v_j, which would feed energy; (v_j - v_i) as in the paper's reference 15. The "
      "Laplacian is that of reference 15's viscosity kernel: the cubic spline's own is negative for r < h"},
     {"EOS", "3.1", "equation of state", "equation_of_state", Status::printed,
-     "with the paper's stiffness of 1 the blood collapses; a driving stiffness is the scenario's. Runs that solve "
-     "(3) only record the F_b that follows from it"},
+     "with the paper's stiffness of 1 the blood collapses; a driving stiffness is the scenario's. Runs that "
+     "solve (3) only record the F_b that follows from it"},
     {"8", "3.2", "Laplace's law", "wall_stress", Status::printed, "", Use::nominal},
     {"9", "3.2", "Poisson's relation of thickness and radius", "thickness_differential",
      Status::reconstructed, "minus sign restored: the wall thins as it grows", Use::nominal},

@@ -72,8 +72,8 @@ void add_wall(ResultTable& table, const Scenario& s)
               "m");
 }
 
-/// Poisson's ratio above 1/2, as Table 4 has it. K = E / (3 (1 - 2 nu)); a sheet that is stretched alike in two
-/// directions has dh/h = -2 nu / (1 - nu) dR/R, which is (9) with sigma = 2 nu / (1 - nu).
+/// Poisson's ratio above 1/2, as Table 4 has it. The bulk modulus is E / (3 (1 - 2 nu)). A sheet that is
+/// stretched alike in two directions has dh/h = -2 nu / (1 - nu) dR/R: (9) with sigma = 2 nu / (1 - nu).
 void add_poisson(ResultTable& table)
 {
     constexpr double sigma = 0.6;

@@ -89,8 +89,9 @@ ResultTable resolution_study(Reproduction& reproduction, std::vector<std::string
         ". Divided by the particle's own face, spacing^2, it is a pressure, as P_c is, "
         "and goes as the power " +
         number(n - 2, 3) +
-        "; a conversion area proportional to spacing^2 is faithful to (16) and does that. What is "
-        "left is the noise of a maximum over few particles. Y holds for 5,520 particles and this area.");
+        "; a conversion area proportional to spacing^2 takes most of it back over these resolutions. It has no "
+        "limit for all that: (16) is mass times acceleration, and goes as spacing^3 where the acceleration is "
+        "converged. Y holds for 5,520 particles and this area.");
     return table;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Claims of the paper's text that the equations of the wall decide, so that no run is needed.
 #include "common/text.hpp"
+#include "common/error.hpp"
 #include "reference/rupture.hpp"
 #include "verification/reproduction/ensemble.hpp"
 #include "verification/reproduction/items.hpp"
@@ -103,9 +104,14 @@ Claim constant_porosity(const SteadyWall& wall)
 }
 
 /// By how much less the wall thins in a frame once it is fully developed.
+/// \throws Error when that takes too long or no time
 Claim thickness_at_rest(const Scenario& scenario, const SteadyWall& wall)
 {
     const auto developed = std::ranges::find(wall.frames, Phase::fully_developed, &WallFrame::phase);
+    if (developed - wall.frames.begin() < 3 || developed == wall.frames.end()) {
+        throw Error("the walls of the text's claims", "R doesn't grow to its largest in some 3000 frames",
+                    "another steady impact in verification/reproduction/text.cpp");
+    }
     const auto thinning = [](const WallFrame* frame) {
         return 1 - frame->thickness / (frame - 1)->thickness;
     };

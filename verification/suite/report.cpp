@@ -299,9 +299,9 @@ void add_equations(Document& document, const SuiteReport& report)
                "formulas of the fast version are the same functions in 16 and in 7 digits and are checked once "
                "by themselves; its flows are checked in both. “Equal” has no independent answer of its own, "
                "but was compared with the reference. A formula is read as printed, or reconstructed where "
-               "signs and fractions are lost in print, or assumed where the paper leaves a rule open. Runs call the "
-               "function of an equation that is “used”. Of one that is “nominal” no run depends: it leads to "
-               "others, or to nothing, and only checks call its function.")
+               "signs and fractions are lost in print, or assumed where the paper leaves a rule open. Runs call "
+               "the function of an equation that is “used”. No run depends on one that is “nominal”: it leads "
+               "to others, or to nothing, and only checks call its function.")
         << table;
 }
 
