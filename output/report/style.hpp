@@ -45,7 +45,7 @@ thead th { background: var(--shade); border-bottom: 2px solid var(--line); }
 tr.group th { background: var(--shade); font-weight: 600; padding-top: 0.6rem; }
 tr.group .weak { font-weight: 400; }
 .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-.long { min-width: 16rem; }
+.long { min-width: 13rem; }
 th.sign { writing-mode: vertical-rl; transform: rotate(180deg); font-weight: 500; padding: 0.4rem 0.1rem; }
 td.sign { text-align: center; padding: 0.1rem 0.35rem; white-space: nowrap; }
 nav ul { display: flex; flex-wrap: wrap; gap: 0.2rem 1.5rem; padding: 0; list-style: none; }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace aneurysm::reproduction
 {
@@ -136,13 +137,13 @@ Section text(Reproduction& reproduction)
     const auto by_sigma = walls_by(reproduction, scenario, &RuptureRow::sigma, &RuptureRow::phi);
     const auto by_phi = walls_by(reproduction, scenario, &RuptureRow::phi, &RuptureRow::sigma);
     ResultTable table{"Frame " + std::to_string(frames), {"sigma", "phi", "R [m]", "h [m]", "P_c / Y"}};
-    for (const auto* walls : {&by_sigma, &by_phi}) {
-        for (const SteadyWall& wall : *walls) {
-            const WallFrame& end = wall.frames.back();
-            table.add(wall.row.sigma, wall.row.phi, end.radius, end.thickness,
-                      end.critical_pressure / unbreakable(scenario).rupture.yield_limit_pa);
-        }
-    }
+    const auto add = [&](const SteadyWall& wall) {
+        const WallFrame& end = wall.frames.back();
+        table.add(wall.row.sigma, wall.row.phi, end.radius, end.thickness,
+                  end.critical_pressure / unbreakable(scenario).rupture.yield_limit_pa);
+    };
+    std::ranges::for_each(by_sigma, add);
+    std::ranges::for_each(by_phi | std::views::drop(1), add); // the first is among those by sigma
     double WallFrame::*const P_c = &WallFrame::critical_pressure;
     double WallFrame::*const h = &WallFrame::thickness;
     Section section{"text", "Claims of the text that the equations of the wall decide"};

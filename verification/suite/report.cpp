@@ -280,15 +280,15 @@ void add_equations(Document& document, const SuiteReport& report)
     for (const SuiteSubject& s : report.suite.subjects) {
         table.columns.push_back(number(s.subject.name()));
     }
-    table.columns.insert(table.columns.end(), {"in runs", prose("how the printed formula is read"),
+    table.columns.insert(table.columns.end(), {prose("how the printed formula is read; its use in runs"),
                                                prose("checks: what they compare with")});
     for (const EquationSummary& e : report.equations) {
         Row row{number_of(*e.equation), e.equation->title, verdict_cell(e)};
         std::ranges::transform(e.cells, std::back_inserter(row), subject_cell);
-        row.insert(row.end(), {name_of(e.equation->use),
-                               Text(name_of(e.equation->status), Look::strong) +
-                                   (e.equation->deviation.empty() ? "" : ": ") + e.equation->deviation,
-                               checks_cell(report, e)});
+        row.insert(row.end(),
+                   {Text(name_of(e.equation->status), Look::strong) + ", " + name_of(e.equation->use) +
+                        (e.equation->deviation.empty() ? "" : ": ") + e.equation->deviation,
+                    checks_cell(report, e)});
         table.rows.push_back(std::move(row));
     }
     document
