@@ -39,8 +39,8 @@ inline constexpr std::array<Equation, 29> equations{{
     {"2", "3.1", "conservation of mass", "density_rate", Status::reconstructed,
      "printed with the divergence sign lost; the discrete form is the time derivative of (5)"},
     {"3", "3.1", "density-invariant and divergence-free", "solve_incompressibility", Status::reconstructed,
-     "one coupled solve for both conditions, as the paper's references 30 and 31 do; the paper gives no "
-     "algorithm"},
+     "the paper gives no algorithm: the pressure frees the velocity of divergence, and a second solve of the "
+     "same form corrects the density by moving the particles, not their velocity"},
     {"4", "3.1", "kernel interpolation", "interpolate", Status::assumed,
      "the paper names no kernel: cubic spline or Wendland C2", Use::nominal},
     {"5", "3.1", "density summation", "density", Status::printed, ""},
@@ -85,12 +85,13 @@ inline constexpr std::array<Equation, 29> equations{{
     {"24", "3.4", "Murray's law", "daughter_radius", Status::printed, ""},
     {"25", "3.5", "pulsatile inlet velocity", "inlet_velocity", Status::printed,
      "as printed the flow turns round in half of each cycle and its net transport is 0; a scenario can "
-     "choose another waveform"},
+     "choose another waveform, a profile over the inlet and a smooth start"},
     {"26", "3.5", "constant outlet pressure", "outlet_pressure_force", Status::printed,
-     "the paper gives no value; it must be large enough that the decelerating inflow doesn't tear the blood "
-     "column. While blood comes back in, it is the pressure of the blood at rest that it comes from (p_const "
-     "- rho v^2/2)"},
-    {"27", "3.5", "no-slip wall", "wall_velocity", Status::printed, ""},
+     "the paper gives no value; while the wall is whole, the pressure is as high as the flow can pull it down, "
+     "p_const at most. While blood comes back in, it comes from blood at rest, whose pressure falls by rho "
+     "v^2/2 on the way"},
+    {"27", "3.5", "no-slip wall", "wall_velocity", Status::printed,
+     "on the wall itself; behind it the ghosts' velocity in (7) is extrapolated"},
     {"28", "3.5", "elastic aneurysm wall", "advance_elastic_wall", Status::reconstructed,
      "minus sign restored; mass and stiffness are not given"},
 }};

@@ -49,6 +49,7 @@ struct FrameRecord {
     double critical_pressure = 0;      ///< P_c, (13) [Pa]
     double displacement = 0;           ///< u, (28) [m]
     std::int64_t iterations = 0;       ///< of the pressure solve, all substeps
+    std::int64_t corrections = 0;      ///< iterations of the density's correction, all substeps
     double density_error_mean = 0;     ///< mean of max(rho/rho_0 - 1, 0) over the fluid
     double density_error_max = 0;      ///< largest rho/rho_0 - 1 at least an artery radius from the open ends
     double density_error_min = 0;      ///< smallest rho/rho_0 - 1 there
@@ -74,7 +75,7 @@ struct SimulationState {
     Particles particles;
     AneurysmState aneurysm;
     Ledger ledger;
-    std::array<double, 2> outlet_velocity{}; ///< of the two plugs, outward [m/s]
+    std::array<double, 2> outlet_velocity{}; ///< mean of the outlets' buffers, outward [m/s]
 };
 
 } // namespace aneurysm

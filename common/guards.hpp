@@ -20,7 +20,15 @@ constexpr int collision_attempts = 8;
 template <class Real>
 constexpr Real outside = sizeof(Real) == sizeof(float) ? Real(1e-4) : Real(1e-9);
 
-/// Times the density excess of a solve that found nothing to correct: that leaves room for rounding.
-constexpr double settling_slack = 1.001;
+/// Part of rho_0 below which blood has a void beside it: its density may rise again, and nothing pulls it.
+/// The density of a body in a full neighborhood stays above 0.95.
+constexpr double void_density = 0.87;
+
+/// Layers at the far end of a buffer whose neighborhoods are not full, as wide as the support.
+constexpr int open_layers = 2;
+
+/// Spacings that a round of settling moves a particle at most: the lattice's first errors are large, and the
+/// operators are those of the round's start.
+constexpr double settling_move = 0.1;
 
 } // namespace aneurysm::guards

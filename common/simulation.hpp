@@ -36,6 +36,8 @@ public:
     /// By flow step of the last frame and particle, as each solve left it [Pa]; the pressures of state() have
     /// been through the controller since.
     virtual const std::vector<double>& solved_pressure() const = 0;
+    /// The same of the potential of the density's correction [Pa]
+    virtual const std::vector<double>& solved_kappa() const = 0;
 
     // What a benchmark shows; nothing where it isn't measured.
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section 3.1: blood flow by smoothed particle hydrodynamics, (1), (2), (4)-(7), (15) and the equation of
-// state. Sums run over the neighbors j of body i, which include i itself.
+// Section 3.1: blood flow by smoothed particle hydrodynamics, (1), (4)-(7), (15) and the equation of state. Sums
+// run over the neighbors j of body i, which include i itself.
 #pragma once
 
 #include "reference/neighbors.hpp"
@@ -16,19 +16,6 @@ namespace aneurysm::reference
 inline Vec3 momentum_force(double rho, const Vec3& g, const Vec3& F_viscosity, const Vec3& F_pressure)
 {
     return rho * g + F_viscosity + F_pressure;
-}
-
-/// Eq. (2)  Drho/Dt = -rho div v, as the time derivative of (5):
-///
-///     Drho_i/Dt = sum_j m_j (v_i - v_j) . grad W_ij                                           [kg/(m^3 s)]
-inline double density_rate(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const Vec3> v,
-                           std::size_t i)
-{
-    double rate = 0;
-    for (const Neighbor& n : neighbors) {
-        rate += b.mass[n.j] * dot(v[i] - v[n.j], n.grad_W);
-    }
-    return rate;
 }
 
 /// Eq. (4)  A field at any point r from its values A_j at the bodies:
@@ -78,8 +65,7 @@ inline Vec3 pressure_force(const Bodies& b, std::span<const Neighbor> neighbors,
 {
     Vec3 force;
     for (const Neighbor& n : neighbors) {
-        const bool mirrors = b.role[n.j] == Role::mirror || b.role[n.j] == Role::slip;
-        const double p_j = mirrors ? p[i] : p[n.j];
+        const double p_j = b.free(n.j) ? p[n.j] : p[i];
         force += -b.mass[n.j] * (p[i] + p_j) / (2 * rho[n.j]) * n.grad_W;
     }
     return force;
@@ -89,16 +75,16 @@ inline Vec3 pressure_force(const Bodies& b, std::span<const Neighbor> neighbors,
 ///
 ///     F_i^viscosity = mu sum_j m_j (v_j - v_i) / rho_j lap W_ij                               [N/m^3]
 ///
-/// over all j but the ghosts of a wall that lets blood slip.
+/// over all j but the ghosts of a wall that lets blood slip; v: by body, that of a wall's ghosts from (27).
 inline Vec3 viscosity_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
-                            double mu, std::size_t i)
+                            std::span<const Vec3> v, double mu, std::size_t i)
 {
     Vec3 force;
     for (const Neighbor& n : neighbors) {
         if (b.role[n.j] == Role::slip) {
             continue;
         }
-        force += mu * b.mass[n.j] / rho[n.j] * n.lap_W * (b.velocity[n.j] - b.velocity[i]);
+        force += mu * b.mass[n.j] / rho[n.j] * n.lap_W * (v[n.j] - v[i]);
     }
     return force;
 }

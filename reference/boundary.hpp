@@ -5,10 +5,13 @@
 #include "common/portable_math.hpp"
 #include "common/scenario/scenario.hpp"
 #include "common/wall.hpp"
+#include "reference/neighbors.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 namespace aneurysm::reference
 {
@@ -51,28 +54,77 @@ inline double inlet_velocity(Waveform waveform, double v_0, double T, double t,
     return 0;
 }
 
-/// Pressure in an outlet whose slab moves outwards with v: p_const while blood leaves; while it comes back,
-/// p_const is the pressure of the blood at rest that it comes from, so that the inflow brings no energy of
-/// its own. A static pressure would feed any inflow, and the daughters' flows would run away from each other.
-inline double outlet_pressure(double p_const, double rho_0, double v)
+/// Velocity over the inlet's section at the distance r from its axis, over the mean (25): a plug, or
+/// Poiseuille's parabola.
+inline double inlet_profile(InletProfile profile, double r_squared, double radius)
 {
-    return v < 0 ? p_const - 0.5 * rho_0 * v * v : p_const;
+    const double q = r_squared / (radius * radius);
+    return profile == InletProfile::plug ? 1 : std::max(0.0, 2 * (1 - q));
 }
 
-/// Eq. (26)  Force per volume of an outlet ghost j, which carries p_outlet = p_const, on its neighbor i:
+/// The part of (25) that a start in the time `ramp` lets through at time t, 0 to 1, with a continuous slope.
+inline double inlet_ramp(double ramp, double t)
+{
+    const double s = ramp > 0 ? std::clamp(t / ramp, 0.0, 1.0) : 1;
+    return s * s * (3 - 2 * s);
+}
+
+/// Eq. (26)  Force per volume on blood i in an outlet's buffer by the pressure p beyond its far end, which
+/// stands in for the neighbors that are missing there:
 ///
-///     F = -m_j / rho_0 p_const grad W_ij                                                      [N/m^3]
-inline Vec3 outlet_pressure_force(double m_j, double rho_0, double p_const, const Vec3& grad_W)
+///     F = 2 p sum_j m_j / rho_0 grad W_ij                                                     [N/m^3]
+inline Vec3 outlet_pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, double rho_0,
+                                  double p)
 {
-    return -m_j / rho_0 * p_const * grad_W;
+    Vec3 sum;
+    for (const Neighbor& n : neighbors) {
+        sum += b.mass[n.j] / rho_0 * n.grad_W;
+    }
+    return 2 * p * sum;
 }
 
-/// Eq. (27)  Velocity of the wall's ghost particles: no slip.
+/// Force per volume on the blood of a buffer of depth D that moves outwards with the mean velocity v. While it
+/// comes back, (26) is the pressure of the blood at rest that it comes from, so that the inflow brings no
+/// energy of its own: the pressure falls by rho v^2 / 2 over the buffer. A static pressure would feed any
+/// inflow, and the daughters' flows would run away from each other.                           [N/m^3]
+inline Vec3 inflow_force(double rho_0, double v, double D, const Vec3& outward)
+{
+    return v < 0 ? 0.5 * rho_0 * v * v / D * outward : Vec3{};
+}
+
+/// Eq. (27)  Velocity of the wall.
 ///
 ///     v_wall = 0                                                                              [m/s]
 constexpr Vec3 wall_velocity()
 {
     return Vec3{};
+}
+
+/// Velocity of the wall's ghosts in (7) by (27): such that blood and ghosts together have the wall's velocity
+/// on the wall itself (Adami, Hu and Adams 2012),
+///
+///     v_j = 2 v_wall - sum_i v_i W_ij / sum_i W_ij                                             [m/s]
+///
+/// over the blood i. By body; that of blood is its own.
+inline std::vector<Vec3> no_slip_velocity(const Bodies& b, const Neighbors& neighbors)
+{
+    std::vector<Vec3> v = b.velocity;
+    std::vector<Vec3> weighted(b.size());
+    std::vector<double> weights(b.size(), 0);
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        for (const Neighbor& n : neighbors.of(i)) {
+            if (b.wall(n.j)) {
+                weighted[n.j] += n.W * b.velocity[i];
+                weights[n.j] += n.W;
+            }
+        }
+    }
+    for (std::size_t j = 0; j < b.size(); ++j) {
+        if (weights[j] > 0) {
+            v[j] = 2.0 * b.velocity[j] - weighted[j] / weights[j];
+        }
+    }
+    return v;
 }
 
 /// Eq. (28)  m_wall d^2u/dt^2 = F_fluid - k u, one symplectic Euler step:

@@ -7,8 +7,8 @@
 namespace aneurysm::reference
 {
 
-void handle_collisions(const Vessel& vessel, double dx, SimulationState& state, const Wall& wall,
-                       FrameRecord& record)
+void handle_collisions(const Vessel& vessel, double dx, Rebound rebound, SimulationState& state,
+                       const Wall& wall, FrameRecord& record)
 {
     Particles& p = state.particles;
     record.outside = 0;
@@ -31,7 +31,7 @@ void handle_collisions(const Vessel& vessel, double dx, SimulationState& state, 
             const Collision after =
                 collide(p.position[i], p.velocity[i], d.value / slope, d.gradient / slope);
             p.position[i] = after.position;
-            p.velocity[i] = after.velocity;
+            p.velocity[i] = rebound == Rebound::elastic ? after.velocity : p.velocity[i];
             d = vessel.wall(p.position[i], wall.radius);
         }
         record.outside += d.value > guards::outside<double> * dx ? 1 : 0;

@@ -10,7 +10,7 @@ namespace aneurysm::reference
 {
 
 /// Fig. 1, and the way out through the breach.
-void handle_collisions(const Vessel& vessel, double dx, SimulationState& state, const Wall& wall,
-                       FrameRecord& record);
+void handle_collisions(const Vessel& vessel, double dx, Rebound rebound, SimulationState& state,
+                       const Wall& wall, FrameRecord& record);
 
 } // namespace aneurysm::reference

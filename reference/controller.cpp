@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/controller.hpp"
 
-#include "common/vessel/initial_state.hpp"
 #include "common/vessel/sampling.hpp"
-#include "reference/neighbors.hpp"
+#include "reference/boundary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,7 @@ namespace aneurysm::reference
 {
 namespace
 {
-constexpr std::array<Kind, 3> ghost_kind{Kind::inlet, Kind::outlet_1, Kind::outlet_2};
+constexpr std::array<Kind, 3> buffer_kind{Kind::inlet, Kind::outlet_1, Kind::outlet_2};
 
 /// Hands out the reserve, lowest index first.
 class Reserve
@@ -36,120 +35,53 @@ private:
 
 } // namespace
 
+Vec3 Controller::inlet_velocity_of(const Vec3& x, double v_inlet) const
+{
+    const Opening& inlet = vessel_->openings()[0];
+    const Vec3 d = x - inlet.center;
+    const Vec3 across = d - dot(d, inlet.outward) * inlet.outward;
+    return -v_inlet * inlet_profile(scenario_->inlet.profile, dot(across, across), inlet.radius) *
+           inlet.outward;
+}
+
 void Controller::drive_inlet(Particles& particles, double v_inlet) const
 {
     for (std::size_t i = 0; i < particles.size(); ++i) {
         if (particles.kind[i] == Kind::inlet) {
-            particles.velocity[i] = -v_inlet * vessel_->openings()[0].outward;
+            particles.velocity[i] = inlet_velocity_of(particles.position[i], v_inlet);
         }
     }
 }
 
-double Controller::outlet_velocity(const Particles& particles, std::size_t k, double previous,
-                                   double p_outlet, double rho_0, double dt) const
+double Controller::buffer_velocity(const Particles& particles, std::size_t k) const
 {
-    const Opening& end = vessel_->openings()[k];
     double velocity = 0;
-    double pressure = 0;
     double count = 0;
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        const Vec3& x = particles.position[i];
-        if (particles.kind[i] == Kind::fluid && end.beyond(x) > -settings_.probe_depth_spacings * dx_ &&
-            vessel_->nearest_tube(x) == k) {
-            velocity += dot(particles.velocity[i], end.outward);
-            pressure += std::max(particles.pressure[i], 0.0);
+        if (particles.kind[i] == buffer_kind[k]) {
+            velocity += dot(particles.velocity[i], vessel_->openings()[k].outward);
             ++count;
         }
     }
-    if (count == 0) {
-        return previous;
-    }
-    return velocity / count + dt * (pressure / count - p_outlet) / (rho_0 * opening_layers * dx_);
+    return count > 0 ? velocity / count : 0;
 }
 
-void Controller::drive_outlet(Particles& particles, std::size_t k, double v, double previous) const
+void Controller::exchange(Particles& particles, double v_inlet, Ledger& ledger) const
 {
-    const Vec3& outward = vessel_->openings()[k].outward;
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        if (particles.kind[i] == ghost_kind[k]) {
-            const double own = dot(particles.velocity[i], outward) + (v - previous);
-            particles.velocity[i] = (v > 0 ? std::max(own, 0.0) : v) * outward;
-        }
-    }
-}
-
-void Controller::reset(Particles& particles, std::size_t k, Ledger& ledger) const
-{
-    for (Kind& kind : particles.kind) {
-        kind = kind == ghost_kind[k] ? Kind::reserve : kind;
-    }
-    Reserve reserve(particles);
-    for (const Vec3& x : patterns_[k]) {
-        const std::size_t i = reserve.take();
-        if (i == particles.size()) {
-            ++ledger.missed;
-            continue;
-        }
-        particles.kind[i] = ghost_kind[k];
-        particles.position[i] = x;
-        particles.velocity[i] = {};
-    }
-}
-
-void Controller::push_as_piston(Particles& particles, double v_inlet) const
-{
-    if (v_inlet < 0) {
-        return;
-    }
-    const Opening& inlet = vessel_->openings()[0];
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        const double beyond = inlet.beyond(particles.position[i]);
-        if (particles.kind[i] != Kind::fluid || beyond < -settings_.piston_reach_spacings * dx_) {
-            continue;
-        }
-        const double inward = -dot(particles.velocity[i], inlet.outward);
-        particles.velocity[i] -= std::max(0.0, v_inlet - inward) * inlet.outward;
-        particles.position[i] -= std::max(0.0, beyond) * inlet.outward;
-    }
-}
-
-void Controller::hold_back(Particles& particles, std::size_t k) const
-{
-    const Opening& end = vessel_->openings()[k];
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        const double beyond = end.beyond(particles.position[i]);
-        if (particles.kind[i] == Kind::fluid && beyond > 0 &&
-            vessel_->nearest_tube(particles.position[i]) == k) {
-            particles.position[i] -= beyond * end.outward;
-            particles.velocity[i] -= std::max(0.0, dot(particles.velocity[i], end.outward)) * end.outward;
-        }
-    }
-}
-
-bool Controller::is_taken(const Particles& particles, const Vec3& x) const
-{
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-        const Vec3 d = difference(particles.position[i], x, vessel_->period());
-        if (particles.kind[i] == Kind::fluid && length(d) < settings_.closest_entry_spacings * dx_) {
-            return true;
-        }
-    }
-    return false;
-}
-
-void Controller::exchange(Particles& particles, Ledger& ledger) const
-{
-    for (std::size_t k = 0; k < ghost_kind.size(); ++k) {
-        leave_slab(particles, k, ledger);
+    for (std::size_t k = 0; k < buffer_kind.size(); ++k) {
+        leave(particles, k, ledger);
     }
     enter_artery(particles, ledger);
-    cross_openings(particles, ledger);
+    leave_artery(particles, ledger);
+    for (std::size_t k = 0; k < buffer_kind.size(); ++k) {
+        fill(particles, k, v_inlet, ledger);
+    }
 }
 
-void Controller::leave_slab(Particles& particles, std::size_t k, Ledger& ledger) const
+void Controller::leave(Particles& particles, std::size_t k, Ledger& ledger) const
 {
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        if (particles.kind[i] == ghost_kind[k] &&
+        if (particles.kind[i] == buffer_kind[k] &&
             vessel_->openings()[k].beyond(particles.position[i]) > opening_layers * dx_) {
             particles.kind[i] = Kind::reserve;
             ++ledger.recycled;
@@ -159,56 +91,68 @@ void Controller::leave_slab(Particles& particles, std::size_t k, Ledger& ledger)
 
 void Controller::enter_artery(Particles& particles, Ledger& ledger) const
 {
-    struct Entry {
-        std::size_t i = 0;
-        std::size_t k = 0;
-    };
-    std::vector<Entry> entering;
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        for (std::size_t k = 0; k < ghost_kind.size(); ++k) {
-            if (particles.kind[i] == ghost_kind[k] &&
+        for (std::size_t k = 0; k < buffer_kind.size(); ++k) {
+            if (particles.kind[i] == buffer_kind[k] &&
                 vessel_->openings()[k].beyond(particles.position[i]) <= 0) {
-                if (is_taken(particles, particles.position[i])) {
-                    particles.position[i] += behind(k);
-                } else {
-                    entering.push_back({i, k});
+                particles.kind[i] = Kind::fluid;
+                if (k == 0) {
+                    particles.pressure[i] = unset_pressure;
                 }
+                ++(k == 0 ? ledger.inlet_in : ledger.outlet_in);
             }
         }
     }
-    Reserve reserve(particles);
-    for (const auto [i, k] : entering) {
-        particles.kind[i] = Kind::fluid;
-        particles.pressure[i] = unset_pressure;
-        ++(k == 0 ? ledger.inlet_in : ledger.outlet_in);
-        const std::size_t j = reserve.take();
-        if (j == particles.size()) {
-            ++ledger.missed;
-            continue;
-        }
-        particles.kind[j] = ghost_kind[k];
-        particles.position[j] = particles.position[i] + behind(k);
-        particles.velocity[j] = particles.velocity[i];
-    }
 }
 
-Vec3 Controller::behind(std::size_t k) const
-{
-    return opening_layers * dx_ * vessel_->openings()[k].outward;
-}
-
-void Controller::cross_openings(Particles& particles, Ledger& ledger) const
+void Controller::leave_artery(Particles& particles, Ledger& ledger) const
 {
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        if (particles.kind[i] != Kind::fluid) {
-            continue;
-        }
         const std::size_t k = vessel_->nearest_tube(particles.position[i]);
-        if (vessel_->openings()[k].beyond(particles.position[i]) > 0) {
-            particles.kind[i] = ghost_kind[k];
+        if (particles.kind[i] == Kind::fluid && vessel_->openings()[k].beyond(particles.position[i]) > 0) {
+            particles.kind[i] = buffer_kind[k];
             ++(k == 0 ? ledger.inlet_out : ledger.outlet_out);
         }
     }
+}
+
+void Controller::fill(Particles& particles, std::size_t k, double v_inlet, Ledger& ledger) const
+{
+    const Opening& end = vessel_->openings()[k];
+    const double v = k == 0 ? -v_inlet : buffer_velocity(particles, k);
+    if (v > 0) {
+        return;
+    }
+    std::vector<Vec3> places;
+    for (const Vec3& x : patterns_[k]) {
+        if (end.beyond(x) > (opening_layers - 1) * dx_ && is_free(particles, k, x)) {
+            places.push_back(x);
+        }
+    }
+    Reserve reserve(particles);
+    for (const Vec3& x : places) {
+        const std::size_t i = reserve.take();
+        if (i == particles.size()) {
+            ++ledger.missed;
+            continue;
+        }
+        particles.kind[i] = buffer_kind[k];
+        particles.position[i] = x;
+        particles.velocity[i] = k == 0 ? inlet_velocity_of(x, v_inlet) : v * end.outward;
+        particles.pressure[i] = particles.kappa[i] = particles.drift[i] = 0;
+    }
+}
+
+bool Controller::is_free(const Particles& particles, std::size_t k, const Vec3& x) const
+{
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        if (particles.kind[i] == buffer_kind[k] &&
+            length(difference(particles.position[i], x, vessel_->period())) <
+                scenario_->controller.refill_distance_spacings * dx_) {
+            return false;
+        }
+    }
+    return true;
 }
 
 } // namespace aneurysm::reference

@@ -6,6 +6,7 @@
 #include "common/vessel/body_force.hpp"
 #include "reference/boundary.hpp"
 #include "reference/containment.hpp"
+#include "reference/flow_path.hpp"
 #include "reference/impact.hpp"
 
 #include <algorithm>
@@ -22,12 +23,11 @@ Role role_of(Kind kind)
     switch (kind) {
     case Kind::fluid:
     case Kind::escaped:
-        return Role::free;
-    case Kind::inlet:
-        return Role::mirror;
     case Kind::outlet_1:
     case Kind::outlet_2:
-        return Role::outlet;
+        return Role::free;
+    case Kind::inlet:
+        return Role::driven;
     case Kind::reserve:
         break;
     }
@@ -46,13 +46,17 @@ Flow::Flow(const Scenario& scenario, const Vessel& vessel, double dx, std::array
       dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)),
       kernel_(scenario.kernel.function, scenario.kernel.smoothing_length_spacings * dx),
       mass_(scenario.fluid.density_kg_m3 / lattice_kernel_sum(kernel_, dx)),
-      controller_(scenario.controller, vessel, dx, std::move(slabs)),
-      solver_{.rho_0 = scenario.fluid.density_kg_m3,
-              .relaxation = scenario.pressure.relaxation,
-              .density_correction = scenario.pressure.density_correction,
-              .tolerance = scenario.pressure.tolerance_per_s,
-              .max_tolerance = scenario.pressure.max_tolerance_per_s,
-              .max_iterations = scenario.pressure.max_iterations},
+      controller_(scenario, vessel, dx, std::move(slabs)), solver_{.relaxation = scenario.pressure.relaxation,
+                                                                   .tolerance =
+                                                                       scenario.pressure.tolerance_per_s,
+                                                                   .max_tolerance =
+                                                                       scenario.pressure.max_tolerance_per_s,
+                                                                   .max_iterations =
+                                                                       scenario.pressure.max_iterations},
+      correction_{.relaxation = scenario.pressure.relaxation,
+                  .tolerance = scenario.pressure.correction_tolerance_per_s,
+                  .max_tolerance = scenario.pressure.correction_max_tolerance_per_s,
+                  .max_iterations = scenario.pressure.correction_max_iterations},
       density_(static_cast<std::size_t>(scenario.particles.count), scenario.fluid.density_kg_m3)
 {
     check_stability();
@@ -90,23 +94,18 @@ void Flow::step(SimulationState& state, const Wall& wall, double t, FrameRecord&
     drive_openings(state, t, record);
     show(FlowStage::driven, nullptr);
     FlowStep step = make_step(state, wall);
-    const Vec3 g = body_force_factor(*scenario_, t) * scenario_->fluid.gravity_m_s2;
-    apply_forces(step, state, g);
-    solve_pressure(step, state, record, hooks.solved_pressure);
+    const Vec3 g = body_force(state, t);
+    const double p_level = level(state, t);
+    apply_forces(step, state, g, p_level);
+    solve_pressure(step, state, p_level, record, hooks.solved.pressure);
+    correct_density(step, p, record, hooks.solved.kappa);
     move(step, state);
     show(FlowStage::moved, &step);
     record_flow(step, p, record);
     record_impact(*scenario_, *vessel_, dx_, step, p, wall, g, record);
-    controller_.push_as_piston(p, record.inlet_velocity);
-    for (const std::size_t k : {1U, 2U}) {
-        if (state.outlet_velocity[k - 1] < 0) {
-            controller_.hold_back(p, k);
-        }
-    }
-    show(FlowStage::held, &step);
-    handle_collisions(*vessel_, dx_, state, wall, record);
+    handle_collisions(*vessel_, dx_, scenario_->collision.rebound, state, wall, record);
     show(FlowStage::collided, &step);
-    controller_.exchange(p, state.ledger);
+    controller_.exchange(p, record.inlet_velocity, state.ledger);
     show(FlowStage::exchanged, &step);
     density_.assign(step.rho.begin(), step.rho.begin() + static_cast<std::ptrdiff_t>(p.size()));
 }
@@ -114,30 +113,50 @@ void Flow::step(SimulationState& state, const Wall& wall, double t, FrameRecord&
 double Flow::inlet_velocity_at(double t) const
 {
     const auto& inlet = scenario_->inlet;
-    return inlet_velocity(inlet.waveform, inlet.peak_velocity_m_s, inlet.cycle_s, t, inlet.table_time_s,
-                          inlet.table_velocity_m_s);
+    return inlet_ramp(inlet.ramp_s, t) * inlet_velocity(inlet.waveform, inlet.peak_velocity_m_s,
+                                                        inlet.cycle_s, t, inlet.table_time_s,
+                                                        inlet.table_velocity_m_s);
 }
 
 void Flow::drive_openings(SimulationState& state, double t, FrameRecord& record) const
 {
-    Particles& p = state.particles;
-    const double rho_0 = scenario_->fluid.density_kg_m3;
     record.inlet_velocity = inlet_velocity_at(t);
-    if (record.inlet_velocity >= 0 && inlet_velocity_at(t - dt_) < 0) {
-        controller_.reset(p, 0, state.ledger);
-    }
-    controller_.drive_inlet(p, record.inlet_velocity);
+    controller_.drive_inlet(state.particles, record.inlet_velocity);
     for (const std::size_t k : {1U, 2U}) {
-        double& v = state.outlet_velocity[k - 1];
-        const double previous = v;
-        v = controller_.outlet_velocity(
-            p, k, previous, outlet_pressure(scenario_->outlet.pressure_pa, rho_0, previous), rho_0, dt_);
-        if (v < 0 && previous >= 0) {
-            controller_.reset(p, k, state.ledger);
-        }
-        controller_.drive_outlet(p, k, v, previous);
+        state.outlet_velocity[k - 1] = controller_.buffer_velocity(state.particles, k);
     }
     record.outlet_velocity = 0.5 * (state.outlet_velocity[0] + state.outlet_velocity[1]);
+}
+
+/// While the wall is whole, gravity and the pressure of blood at rest balance each other exactly: the pressure is
+/// counted from the latter, and what moves the blood is what remains of both, nothing. In a vessel without open
+/// ends the body force drives the flow.
+Vec3 Flow::body_force(const SimulationState& state, double t) const
+{
+    const bool balanced = vessel_->is_open(1) && state.aneurysm.phase != Phase::ruptured;
+    return balanced ? Vec3{} : body_force_factor(*scenario_, t) * scenario_->fluid.gravity_m_s2;
+}
+
+/// The level of the pressure: an incompressible fluid doesn't feel it, but particles under tension clump. So it is
+/// as high as inertia, friction and the flow's own pressure rho v^2 can pull the pressure down between outlets and
+/// inlet, times a margin; p_const at most, below which blood would tear. Once the wall has a hole, it is p_const;
+/// without open ends nothing pulls.
+double Flow::level(const SimulationState& state, double t) const
+{
+    if (!vessel_->is_open(1)) {
+        return 0;
+    }
+    const double p_const = scenario_->outlet.pressure_pa;
+    if (scenario_->pressure.model == PressureModel::eos || state.aneurysm.phase == Phase::ruptured) {
+        return p_const;
+    }
+    const double rho_0 = scenario_->fluid.density_kg_m3;
+    const double v = inlet_velocity_at(t);
+    const double slowing = std::max(0.0, (inlet_velocity_at(t - dt_) - v) / dt_);
+    const FlowPath path = flow_path(*scenario_, *vessel_);
+    const double pull = rho_0 * (path.inertia * slowing + v * v) +
+                        scenario_->fluid.viscosity_pa_s * path.friction * std::max(0.0, -v);
+    return std::min(p_const, scenario_->outlet.level_margin * pull);
 }
 
 FlowStep Flow::make_step(const SimulationState& state, const Wall& wall) const
@@ -153,10 +172,10 @@ FlowStep Flow::make_step(const SimulationState& state, const Wall& wall) const
     const bool slips = scenario_->domain.wall == WallCondition::slip;
     b.role.resize(b.size(), slips ? Role::slip : Role::mirror);
     Neighbors neighbors(b, kernel_, vessel_->period());
-    FlowStep step{std::move(b), std::move(neighbors), {}, {}, {}, {}, {}, p.velocity};
+    FlowStep step{std::move(b), std::move(neighbors), {}, {}, {}, {}, {}, p.velocity, {}, {}};
     step.rho.assign(step.bodies.size(), scenario_->fluid.density_kg_m3);
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (step.bodies.free(i)) {
+        if (step.bodies.blood(i)) {
             step.rho[i] = reference::density(step.bodies, step.neighbors.of(i));
             if (!(step.rho[i] < scenario_->pressure.blow_up_density_ratio * scenario_->fluid.density_kg_m3)) {
                 throw SimulationError(place(state, i),
@@ -168,116 +187,38 @@ FlowStep Flow::make_step(const SimulationState& state, const Wall& wall) const
     return step;
 }
 
-/// Viscosity (7), gravity and, in model dfsph, the outlets' pressure (26): all but the blood's own pressure.
-/// In model eos the outlets' ghosts take part in (6) with their pressure.
-void Flow::apply_forces(FlowStep& step, const SimulationState& state, const Vec3& g) const
+/// Viscosity (7), the body force and the pressure beyond the outlets (26): all but the blood's own pressure.
+void Flow::apply_forces(FlowStep& step, const SimulationState& state, const Vec3& g, double p_level) const
 {
     Bodies& b = step.bodies;
-    const Particles& p = state.particles;
-    const double rho_0 = scenario_->fluid.density_kg_m3;
-    step.F_viscosity.assign(p.size(), {});
-    step.F_outlet.assign(p.size(), {});
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (!b.free(i)) {
-            continue;
+    const std::size_t n = state.particles.size();
+    step.F_viscosity.assign(n, {});
+    step.F_outlet.assign(n, {});
+    const std::vector<Vec3> v = no_slip_velocity(b, step.neighbors);
+    for (std::size_t i = 0; i < n; ++i) {
+        if (b.free(i)) {
+            step.F_viscosity[i] =
+                viscosity_force(b, step.neighbors.of(i), step.rho, v, scenario_->fluid.viscosity_pa_s, i);
+            step.F_outlet[i] = outlet_force(step, state, i, p_level);
+            const Vec3 force = momentum_force(step.rho[i], g, step.F_viscosity[i], step.F_outlet[i]);
+            step.velocity[i] = b.velocity[i] + dt_ * acceleration(step.rho[i], force);
         }
-        step.F_viscosity[i] =
-            viscosity_force(b, step.neighbors.of(i), step.rho, scenario_->fluid.viscosity_pa_s, i);
-        for (const Neighbor& n : step.neighbors.of(i)) {
-            if (scenario_->pressure.model == PressureModel::dfsph && b.role[n.j] == Role::outlet) {
-                const double v = state.outlet_velocity[p.kind[n.j] == Kind::outlet_1 ? 0 : 1];
-                step.F_outlet[i] += outlet_pressure_force(
-                    b.mass[n.j], rho_0, outlet_pressure(scenario_->outlet.pressure_pa, rho_0, v), n.grad_W);
-            }
-        }
-        const Vec3 force = momentum_force(step.rho[i], g, step.F_viscosity[i], step.F_outlet[i]);
-        step.velocity[i] = b.velocity[i] + dt_ * acceleration(step.rho[i], force);
     }
     std::ranges::copy(step.velocity, b.velocity.begin());
 }
 
-/// The blood's own pressure, by (3) or by the equation of state with (6); it changes the velocity.
-void Flow::solve_pressure(FlowStep& step, SimulationState& state, FrameRecord& record,
-                          std::span<const double> solved)
+Vec3 Flow::outlet_force(const FlowStep& step, const SimulationState& state, std::size_t i,
+                        double p_level) const
 {
-    Particles& p = state.particles;
-    const Bodies& b = step.bodies;
-    std::vector<double>& pressure = step.pressure;
-    pressure.assign(b.size(), 0);
-    std::vector<Vec3> a(b.size());
-    const bool dfsph = scenario_->pressure.model == PressureModel::dfsph;
-    const IncompressibleReport report = !dfsph           ? solve_eos(step, state, pressure, a)
-                                        : solved.empty() ? solve_dfsph(step, p, pressure, a)
-                                                         : take_pressure(step, solved, pressure, a);
-    step.F_pressure.assign(p.size(), {});
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (b.free(i)) {
-            step.F_pressure[i] = step.rho[i] * a[i];
-            step.velocity[i] = b.velocity[i] + dt_ * a[i];
-            p.pressure[i] = pressure[i];
-        }
+    const Kind kind = state.particles.kind[i];
+    if (kind != Kind::outlet_1 && kind != Kind::outlet_2) {
+        return {};
     }
-    solved_pressure_ = p.pressure;
-    record.iterations += report.iterations;
-    record.residual_mean = report.residual_mean;
-    record.residual_max = report.residual_max;
-    record.divergence_mean = report.divergence_mean;
-    record.divergence_max = report.divergence_max;
-}
-
-/// (3) with its pressures given: no iteration, only what follows from them.
-IncompressibleReport Flow::take_pressure(const FlowStep& step, std::span<const double> solved,
-                                         std::vector<double>& pressure, std::vector<Vec3>& a) const
-{
-    for (std::size_t i = 0; i < solved.size(); ++i) {
-        pressure[i] = step.bodies.free(i) ? solved[i] : 0;
-    }
-    IncompressibleSettings settings = solver_;
-    settings.max_iterations = 0;
-    return solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, settings, pressure, a);
-}
-
-/// From the last step's pressures; a particle that has none starts from its neighbors' mean.
-IncompressibleReport Flow::solve_dfsph(const FlowStep& step, const Particles& p,
-                                       std::vector<double>& pressure, std::vector<Vec3>& a) const
-{
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        pressure[i] = p.pressure[i];
-        if (step.bodies.free(i) && p.pressure[i] < 0) {
-            double sum = 0;
-            double count = 0;
-            for (const Neighbor& n : step.neighbors.of(i)) {
-                if (step.bodies.free(n.j) && p.pressure[n.j] >= 0) {
-                    sum += p.pressure[n.j];
-                    ++count;
-                }
-            }
-            pressure[i] = count > 0 ? sum / count : 0;
-        }
-    }
-    return solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, solver_, pressure, a);
-}
-
-IncompressibleReport Flow::solve_eos(const FlowStep& step, const SimulationState& state,
-                                     std::vector<double>& pressure, std::vector<Vec3>& a) const
-{
-    const Bodies& b = step.bodies;
+    const std::size_t k = kind == Kind::outlet_1 ? 1 : 2;
     const double rho_0 = scenario_->fluid.density_kg_m3;
-    for (std::size_t i = 0; i < b.size(); ++i) {
-        pressure[i] = equation_of_state(scenario_->pressure.stiffness_m2_s2, step.rho[i], rho_0);
-        if (b.role[i] == Role::outlet) {
-            const double v = state.outlet_velocity[state.particles.kind[i] == Kind::outlet_1 ? 0 : 1];
-            pressure[i] = outlet_pressure(scenario_->outlet.pressure_pa, rho_0, v);
-        }
-    }
-    std::vector<Vec3> v = b.velocity;
-    for (std::size_t i = 0; i < state.particles.size(); ++i) {
-        if (b.free(i)) {
-            a[i] = acceleration(step.rho[i], pressure_force(b, step.neighbors.of(i), step.rho, pressure, i));
-            v[i] += dt_ * a[i];
-        }
-    }
-    return divergence_report(b, step.neighbors, v, rho_0);
+    return outlet_pressure_force(step.bodies, step.neighbors.of(i), rho_0, p_level) +
+           inflow_force(rho_0, state.outlet_velocity[k - 1], opening_layers * dx_,
+                        vessel_->openings()[k].outward);
 }
 
 void Flow::move(const FlowStep& step, SimulationState& state) const
@@ -288,14 +229,15 @@ void Flow::move(const FlowStep& step, SimulationState& state) const
             continue;
         }
         const Vec3 way = dt_ * step.velocity[i];
-        if (!(length(way) < kernel_.support())) { // NaN too
+        const double distance = length(way + step.correction[i]);
+        if (!(distance < kernel_.support())) { // NaN too
             throw SimulationError(place(state, i),
-                                  "it moves by " + std::to_string(length(way)) +
+                                  "it moves by " + std::to_string(distance) +
                                       " m in one step, more than it can see: the run blew up",
                                   "more time.substeps, or a stiffer pressure model");
         }
         p.velocity[i] = step.velocity[i];
-        p.position[i] = vessel_->wrapped(p.position[i] + way);
+        p.position[i] = vessel_->wrapped(p.position[i] + way + step.correction[i]);
     }
 }
 

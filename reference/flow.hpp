@@ -18,9 +18,8 @@ namespace aneurysm::reference
 /// The moments of a flow step at which an observer may look into it, in this order.
 enum class FlowStage {
     begun,     ///< nothing done
-    driven,    ///< the open ends' ghosts have their velocities
-    moved,     ///< forces and pressure have moved all
-    held,      ///< the inlet's piston and back-flowing outlets have held blood back
+    driven,    ///< the inlet's buffer has its velocity
+    moved,     ///< forces, pressure and the density's correction have moved all
     collided,  ///< collisions handled
     exchanged, ///< the controller has acted
 };
@@ -41,9 +40,15 @@ public:
                      const FlowStep* step) = 0;
 };
 
+/// Solutions of (3) that a flow step takes instead of its own, by particle; empty: it solves.
+struct Solved {
+    std::span<const double> pressure; ///< [Pa]
+    std::span<const double> kappa;    ///< of the density's correction [Pa]
+};
+
 /// What a flow step may be given by those who check it.
 struct FlowHooks {
-    std::span<const double> solved_pressure; ///< by particle; not empty: taken as the solution of (3) [Pa]
+    Solved solved;
     FlowObserver* observer = nullptr;
 };
 
@@ -70,32 +75,48 @@ public:
         solver_.max_tolerance = largest;
     }
 
-    /// Lets a fresh lattice find its place between the walls: overlaps are pushed apart, and while the blood
-    /// stays denser than the solver's tolerance allows, the densest of it goes to the reserve: more was
-    /// sampled than fits.
+    /// Lets a fresh lattice find its place between the walls by the density's correction alone: rounds that push
+    /// blood apart and off the walls, then rounds that fill its holes too, until one finds nothing to correct.
     void settle(SimulationState& state, const Wall& wall) const;
 
     /// By particle, of the last step; rho_0 for what isn't blood [kg/m^3]
     const std::vector<double>& density() const { return density_; }
     /// By particle, as the last step's solve left it, before the controller acted [Pa]
     const std::vector<double>& solved_pressure() const { return solved_pressure_; }
+    /// The same of the correction's potential [Pa]
+    const std::vector<double>& solved_kappa() const { return solved_kappa_; }
 
 private:
-    /// (3) with the velocity set to 0 before each step.
-    void push_apart(SimulationState& state, const Wall& wall) const;
     void check_stability() const;
     double inlet_velocity_at(double t) const;
     void drive_openings(SimulationState& state, double t, FrameRecord& record) const;
+    double level(const SimulationState& state, double t) const;
+    Vec3 body_force(const SimulationState& state, double t) const;
     FlowStep make_step(const SimulationState& state, const Wall& wall) const;
-    void apply_forces(FlowStep& step, const SimulationState& state, const Vec3& g) const;
-    void solve_pressure(FlowStep& step, SimulationState& state, FrameRecord& record,
+    void apply_forces(FlowStep& step, const SimulationState& state, const Vec3& g, double p_level) const;
+    Vec3 outlet_force(const FlowStep& step, const SimulationState& state, std::size_t i,
+                      double p_level) const;
+    void solve_pressure(FlowStep& step, SimulationState& state, double p_level, FrameRecord& record,
                         std::span<const double> solved);
-    IncompressibleReport take_pressure(const FlowStep& step, std::span<const double> solved,
-                                       std::vector<double>& pressure, std::vector<Vec3>& a) const;
-    IncompressibleReport solve_dfsph(const FlowStep& step, const Particles& p, std::vector<double>& pressure,
+    IncompressibleReport solve_dfsph(const FlowStep& step, const Particles& p, double p_level,
+                                     std::span<const double> solved, std::vector<double>& pressure,
                                      std::vector<Vec3>& a) const;
-    IncompressibleReport solve_eos(const FlowStep& step, const SimulationState& state,
-                                   std::vector<double>& pressure, std::vector<Vec3>& a) const;
+    IncompressibleReport solve_eos(const FlowStep& step, std::vector<double>& pressure,
+                                   std::vector<Vec3>& a) const;
+    bool corrects_density() const;
+    std::vector<double> pressure_source(const FlowStep& step, const Particles& p) const;
+    std::vector<double> predicted_density(const FlowStep& step, std::span<const Vec3> way) const;
+    void correct_density(FlowStep& step, Particles& p, FrameRecord& record, std::span<const double> solved);
+    /// One correction of the density.
+    struct Correction {
+        double beta = 0;   ///< part of the error that it takes away
+        bool pulls = true; ///< else it only pushes: holes stay
+        IncompressibleSettings settings;
+    };
+    IncompressibleReport solve_correction(const FlowStep& step, const Particles& p,
+                                          std::span<const double> rho, const Correction& how,
+                                          std::span<double> kappa, std::vector<Vec3>& way) const;
+    IncompressibleReport settle_once(SimulationState& state, const Wall& wall, const Correction& how) const;
     void move(const FlowStep& step, SimulationState& state) const;
     void record_flow(const FlowStep& step, const Particles& p, FrameRecord& record) const;
 
@@ -107,8 +128,10 @@ private:
     double mass_;
     Controller controller_;
     IncompressibleSettings solver_;
+    IncompressibleSettings correction_;
     std::vector<double> density_;
     std::vector<double> solved_pressure_;
+    std::vector<double> solved_kappa_;
 };
 
 } // namespace aneurysm::reference

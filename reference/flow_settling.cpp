@@ -5,64 +5,46 @@
 #include "reference/flow.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 
 namespace aneurysm::reference
 {
 
 void Flow::settle(SimulationState& state, const Wall& wall) const
 {
-    // What never corrects the density doesn't at the start.
-    const std::int64_t rounds = scenario_->pressure.density_correction > 0 ? scenario_->settling.rounds : 0;
-    // At rest a step finds nothing to correct once the mean excess is this.
-    const double allowed =
-        guards::settling_slack * solver_.tolerance * dt_ / scenario_->settling.density_correction;
-    Particles& p = state.particles;
-    for (std::int64_t round = 0; round < rounds; ++round) {
-        push_apart(state, wall);
-        const FlowStep step = make_step(state, wall);
-        std::vector<std::size_t> blood;
-        double excess = 0;
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            if (p.kind[i] == Kind::fluid) {
-                blood.push_back(i);
-                excess += std::max(step.rho[i] / scenario_->fluid.density_kg_m3 - 1, 0.0);
-            }
-        }
-        if (excess <= allowed * static_cast<double>(blood.size())) {
+    if (!corrects_density()) {
+        return; // what never corrects the density doesn't at the start
+    }
+    const auto& settling = scenario_->settling;
+    Correction how{settling.density_correction, false, correction_};
+    how.settings.max_iterations = std::min(how.settings.max_iterations, settling.max_iterations);
+    for (std::int64_t round = 0; round < settling.pushing_rounds; ++round) {
+        settle_once(state, wall, how);
+    }
+    how.pulls = true;
+    for (std::int64_t round = 0; round < settling.rounds; ++round) {
+        if (settle_once(state, wall, how).iterations == 0) {
             break;
-        }
-        const auto surplus = std::min(blood.size(), static_cast<std::size_t>(std::ceil(excess)));
-        std::ranges::stable_sort(blood, std::greater<>(), [&step](std::size_t i) { return step.rho[i]; });
-        for (std::size_t k = 0; k < surplus; ++k) {
-            p.kind[blood[k]] = Kind::reserve;
         }
     }
     state.ledger = {};
-    std::ranges::fill(p.pressure, scenario_->outlet.pressure_pa);
 }
 
-void Flow::push_apart(SimulationState& state, const Wall& wall) const
+IncompressibleReport Flow::settle_once(SimulationState& state, const Wall& wall, const Correction& how) const
 {
+    const double farthest = guards::settling_move * dx_;
     Particles& p = state.particles;
-    IncompressibleSettings settings = solver_;
-    settings.density_correction = scenario_->settling.density_correction;
-    settings.max_iterations = std::min(settings.max_iterations, scenario_->settling.max_iterations);
-    FrameRecord record;
-    for (std::int64_t k = 0; k < scenario_->settling.steps; ++k) {
-        const FlowStep step = make_step(state, wall);
-        std::vector<double> pressure(step.bodies.size(), 0);
-        std::vector<Vec3> a(step.bodies.size());
-        solve_incompressibility(step.bodies, step.neighbors, step.rho, dt_, settings, pressure, a);
-        for (std::size_t i = 0; i < p.size(); ++i) {
-            p.position[i] = vessel_->wrapped(p.position[i] + dt_ * dt_ * a[i]);
-        }
-        controller_.push_as_piston(p, 0);
-        handle_collisions(*vessel_, dx_, state, wall, record);
-        controller_.exchange(p, state.ledger);
-        p.velocity.assign(p.size(), {});
+    const FlowStep step = make_step(state, wall);
+    std::vector<double> kappa(step.bodies.size(), 0);
+    std::vector<Vec3> way(p.size());
+    const IncompressibleReport report = solve_correction(step, p, step.rho, how, kappa, way);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const double l = length(way[i]);
+        p.position[i] = vessel_->wrapped(p.position[i] + (l > farthest ? farthest / l : 1) * way[i]);
     }
+    FrameRecord record;
+    handle_collisions(*vessel_, dx_, scenario_->collision.rebound, state, wall, record);
+    p.velocity.assign(p.size(), {});
+    return report;
 }
 
 } // namespace aneurysm::reference

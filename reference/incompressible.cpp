@@ -31,21 +31,21 @@ struct Statistics {
 class AcceleratedSolve
 {
 public:
-    AcceleratedSolve(const Bodies& b, const Neighbors& neighbors, std::span<const double> rho, double dt,
-                     const IncompressibleSettings& settings, std::span<double> p, std::span<Vec3> a)
-        : b_(b), neighbors_(neighbors), rho_(rho), dt_(dt), settings_(settings), y_(p), a_(a), v_(b.velocity),
-          alpha_(b.size(), 0), residual_(b.size(), 0)
+    AcceleratedSolve(const IncompressibleProblem& problem, const IncompressibleSettings& settings,
+                     std::span<double> p, std::span<Vec3> a)
+        : problem_(problem), b_(*problem.bodies), settings_(settings), y_(p), a_(a), v_(b_.velocity),
+          alpha_(b_.size(), 0), residual_(b_.size(), 0)
     {
         double smallest = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < b.size(); ++i) {
-            alpha_[i] = b.free(i) ? dfsph_factor(b, neighbors.of(i)) : 0;
+        for (std::size_t i = 0; i < b_.size(); ++i) {
+            alpha_[i] = b_.free(i) ? dfsph_factor(problem, i) : 0;
             smallest = alpha_[i] > 0 ? std::min(smallest, alpha_[i]) : smallest;
         }
-        for (std::size_t i = 0; i < b.size(); ++i) {
+        for (std::size_t i = 0; i < b_.size(); ++i) {
             if (!(alpha_[i] <= guards::spray * smallest)) {
                 alpha_[i] = 0;
             }
-            y_[i] = alpha_[i] > 0 ? y_[i] : 0;
+            y_[i] = alpha_[i] > 0 ? bounded(y_[i], i) : 0;
         }
         p_old_.assign(y_.begin(), y_.end());
         p_new_ = p_old_;
@@ -56,19 +56,19 @@ public:
     {
         for (std::size_t i = 0; i < b_.size(); ++i) {
             if (b_.free(i)) {
-                a_[i] = pressure_acceleration(b_, neighbors_.of(i), y_, settings_.rho_0, i);
-                v_[i] = b_.velocity[i] + dt_ * a_[i];
+                a_[i] = pressure_acceleration(problem_, y_, i);
+                v_[i] = b_.velocity[i] + problem_.dt * a_[i];
             }
         }
         Statistics residuals;
         Statistics divergences;
         for (std::size_t i = 0; i < b_.size(); ++i) {
             if (b_.free(i)) {
-                const double rate = density_rate(b_, neighbors_.of(i), v_, i);
-                residual_[i] = settings_.density_correction * (rho_[i] - settings_.rho_0) / dt_ + rate;
-                const bool acts = y_[i] > 0 || (residual_[i] > 0 && alpha_[i] > 0);
-                residuals.add(acts ? std::abs(residual_[i]) / settings_.rho_0 : 0);
-                divergences.add(std::abs(rate) / settings_.rho_0);
+                const double rate = density_rate(problem_, v_, i);
+                residual_[i] = problem_.source[i] + rate;
+                const bool acts = alpha_[i] > 0 && (y_[i] > problem_.lowest[i] || residual_[i] > 0);
+                residuals.add(acts ? std::abs(residual_[i]) / problem_.rho_0 : 0);
+                divergences.add(std::abs(rate) / problem_.rho_0);
             }
         }
         return {0, residuals.mean(), residuals.largest, divergences.mean(), divergences.largest};
@@ -84,15 +84,15 @@ public:
     }
 
 private:
-    static double positive(double p) { return p > 0 ? p : 0; }
+    double bounded(double p, std::size_t i) const { return std::max(p, problem_.lowest[i]); }
 
-    /// p_new = max(0, y + omega rho_0^2 alpha residual / dt).
+    /// p_new = max(lowest, y + omega rho_0^2 alpha residual / dt).
     void step()
     {
-        const double factor = settings_.relaxation * settings_.rho_0 * settings_.rho_0 / dt_;
+        const double factor = settings_.relaxation * problem_.rho_0 * problem_.rho_0 / problem_.dt;
         for (std::size_t i = 0; i < b_.size(); ++i) {
-            if (b_.free(i)) {
-                p_new_[i] = positive(y_[i] + factor * alpha_[i] * residual_[i]);
+            if (alpha_[i] > 0) {
+                p_new_[i] = bounded(y_[i] + factor * alpha_[i] * residual_[i], i);
             }
         }
     }
@@ -110,22 +110,22 @@ private:
         return sum > 0;
     }
 
-    /// y = max(0, p_new + theta (p_new - p_old)).
+    /// y = max(lowest, p_new + theta (p_new - p_old)).
     void add_momentum()
     {
         const double t = (1 + std::sqrt(1 + 4 * t_ * t_)) / 2;
         const double theta = (t_ - 1) / t;
         for (std::size_t i = 0; i < b_.size(); ++i) {
-            y_[i] = positive(p_new_[i] + theta * (p_new_[i] - p_old_[i]));
+            if (alpha_[i] > 0) {
+                y_[i] = bounded(p_new_[i] + theta * (p_new_[i] - p_old_[i]), i);
+            }
         }
         std::swap(p_old_, p_new_);
         t_ = t;
     }
 
+    const IncompressibleProblem& problem_;
     const Bodies& b_;
-    const Neighbors& neighbors_;
-    std::span<const double> rho_;
-    double dt_;
     const IncompressibleSettings& settings_;
     std::span<double> y_;
     std::span<Vec3> a_;
@@ -139,13 +139,36 @@ private:
 
 } // namespace
 
-double dfsph_factor(const Bodies& b, std::span<const Neighbor> neighbors)
+double density_rate(const IncompressibleProblem& problem, std::span<const Vec3> v, std::size_t i)
 {
+    const Bodies& b = *problem.bodies;
+    double rate = 0;
+    for (const Neighbor& n : problem.neighbors->of(i)) {
+        rate += weight(b, problem.given, n.j) * b.mass[n.j] * dot(v[i] - v[n.j], n.grad_W);
+    }
+    return rate;
+}
+
+Vec3 pressure_acceleration(const IncompressibleProblem& problem, std::span<const double> p, std::size_t i)
+{
+    const Bodies& b = *problem.bodies;
+    Vec3 a;
+    for (const Neighbor& n : problem.neighbors->of(i)) {
+        const double mirrored = problem.given == Given::mirrors ? p[i] : 0;
+        const double p_j = b.free(n.j) ? p[n.j] : mirrored;
+        a += -b.mass[n.j] * (p[i] + p_j) / (problem.rho_0 * problem.rho_0) * n.grad_W;
+    }
+    return a;
+}
+
+double dfsph_factor(const IncompressibleProblem& problem, std::size_t i)
+{
+    const Bodies& b = *problem.bodies;
     Vec3 sum;
     double squares = 0;
-    for (const Neighbor& n : neighbors) {
+    for (const Neighbor& n : problem.neighbors->of(i)) {
         const Vec3 g = b.mass[n.j] * n.grad_W;
-        sum += g;
+        sum += weight(b, problem.given, n.j) * g;
         if (b.free(n.j)) {
             squares += dot(g, g);
         }
@@ -154,12 +177,11 @@ double dfsph_factor(const Bodies& b, std::span<const Neighbor> neighbors)
     return denominator > 0 ? 1 / denominator : 0;
 }
 
-IncompressibleReport solve_incompressibility(const Bodies& b, const Neighbors& neighbors,
-                                             std::span<const double> rho, double dt,
+IncompressibleReport solve_incompressibility(const IncompressibleProblem& problem,
                                              const IncompressibleSettings& settings, std::span<double> p,
                                              std::span<Vec3> a)
 {
-    AcceleratedSolve solve(b, neighbors, rho, dt, settings, p, a);
+    AcceleratedSolve solve(problem, settings, p, a);
     IncompressibleReport report = solve.evaluate();
     std::int64_t iterations = 0;
     while (iterations < settings.max_iterations &&
@@ -172,13 +194,12 @@ IncompressibleReport solve_incompressibility(const Bodies& b, const Neighbors& n
     return report;
 }
 
-IncompressibleReport divergence_report(const Bodies& b, const Neighbors& neighbors, std::span<const Vec3> v,
-                                       double rho_0)
+IncompressibleReport divergence_report(const IncompressibleProblem& problem, std::span<const Vec3> v)
 {
     Statistics divergences;
-    for (std::size_t i = 0; i < b.size(); ++i) {
-        if (b.free(i)) {
-            divergences.add(std::abs(density_rate(b, neighbors.of(i), v, i)) / rho_0);
+    for (std::size_t i = 0; i < problem.bodies->size(); ++i) {
+        if (problem.bodies->free(i)) {
+            divergences.add(std::abs(density_rate(problem, v, i)) / problem.rho_0);
         }
     }
     return {0, 0, 0, divergences.mean(), divergences.largest};

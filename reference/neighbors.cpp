@@ -127,7 +127,7 @@ Neighbors::Neighbors(const Bodies& bodies, const Kernel& kernel, const Period& p
     const Grid grid(bodies, kernel.support(), period);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         begin_[i] = list_.size();
-        if (bodies.free(i)) {
+        if (bodies.blood(i)) {
             grid.around(bodies.position[i], [&](std::size_t j) {
                 const Vec3 x = difference(bodies.position[i], bodies.position[j], period);
                 const double r = length(x);

@@ -14,10 +14,10 @@ namespace aneurysm::reference
 
 /// How a body takes part in the SPH sums.
 enum class Role : std::uint8_t {
-    free,   ///< moved by forces
-    mirror, ///< ghost of the wall or the inlet: given velocity, its neighbor's pressure
+    free,   ///< blood that forces move
+    driven, ///< blood in the inlet's buffer: moves with (25)
+    mirror, ///< ghost of the wall, (27)
     slip,   ///< ghost of a wall that exerts no viscous force: else as `mirror`
-    outlet, ///< ghost of an outlet: given velocity and pressure (26)
     absent, ///< in the reserve
 };
 
@@ -30,6 +30,8 @@ struct Bodies {
 
     std::size_t size() const { return position.size(); }
     bool free(std::size_t i) const { return role[i] == Role::free; }
+    bool blood(std::size_t i) const { return role[i] == Role::free || role[i] == Role::driven; }
+    bool wall(std::size_t i) const { return role[i] == Role::mirror || role[i] == Role::slip; }
 };
 
 /// A body j within the support of a body i, i itself included, with all that the sums need of the pair.
@@ -46,7 +48,7 @@ using Period = Vec3;
 /// The shortest way from b to a.
 Vec3 difference(const Vec3& a, const Vec3& b, const Period& period);
 
-/// The neighbors of every free body, ascending in j.
+/// The neighbors of all blood, ascending in j.
 class Neighbors
 {
 public:
@@ -54,7 +56,7 @@ public:
     /// so that no body sees another one twice. \throws Error when it holds fewer
     Neighbors(const Bodies& bodies, const Kernel& kernel, const Period& period = {});
 
-    /// Empty for bodies that are not free.
+    /// Empty for bodies that are not blood.
     std::span<const Neighbor> of(std::size_t i) const
     {
         return {list_.data() + begin_[i], begin_[i + 1] - begin_[i]};

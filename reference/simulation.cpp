@@ -54,18 +54,20 @@ FrameRecord Simulation::advance()
     return advance({}, nullptr);
 }
 
-FrameRecord Simulation::advance(std::span<const double> solved_pressure, FlowObserver& observer)
+FrameRecord Simulation::advance(const Solved& solved, FlowObserver& observer)
 {
-    if (scenario_.pressure.model == PressureModel::eos || solved_pressure.empty()) {
+    if (scenario_.pressure.model == PressureModel::eos || (solved.pressure.empty() && solved.kappa.empty())) {
         return advance({}, &observer);
     }
     const std::size_t needed = static_cast<std::size_t>(scenario_.time.substeps) * state_.particles.size();
-    if (solved_pressure.size() != needed) {
-        throw Error("frame " + std::to_string(state_.frame + 1),
-                    std::to_string(solved_pressure.size()) + " solved pressures were given",
-                    "needed: " + std::to_string(needed) + ", one for each flow step and particle");
+    for (const std::span<const double>& potential : {solved.pressure, solved.kappa}) {
+        if (potential.size() != needed) {
+            throw Error("frame " + std::to_string(state_.frame + 1),
+                        std::to_string(potential.size()) + " solved pressures were given",
+                        "needed: " + std::to_string(needed) + ", one for each flow step and particle");
+        }
     }
-    return advance(solved_pressure, &observer);
+    return advance(solved, &observer);
 }
 
 void Simulation::restart(SimulationState state)
@@ -80,7 +82,7 @@ void Simulation::restart(SimulationState state)
     state_ = std::move(state);
 }
 
-FrameRecord Simulation::advance(std::span<const double> solved_pressure, FlowObserver* observer)
+FrameRecord Simulation::advance(const Solved& solved, FlowObserver* observer)
 {
     SimulationState next = state_;
     FrameRecord record;
@@ -89,14 +91,20 @@ FrameRecord Simulation::advance(std::span<const double> solved_pressure, FlowObs
     record.time = static_cast<double>(record.frame) * dt;
     const Wall w = wall(next.aneurysm);
     solved_pressure_.clear();
+    solved_kappa_.clear();
+    const std::size_t n = next.particles.size();
     for (std::int64_t s = 1; s <= scenario_.time.substeps; ++s) {
         const double part = static_cast<double>(s) / static_cast<double>(scenario_.time.substeps);
-        const std::size_t first = static_cast<std::size_t>(s - 1) * next.particles.size();
-        const auto solved =
-            solved_pressure.empty() ? solved_pressure : solved_pressure.subspan(first, next.particles.size());
-        flow_.step(next, w, (static_cast<double>(next.frame) + part) * dt, record, {solved, observer});
-        solved_pressure_.insert(solved_pressure_.end(), flow_.solved_pressure().begin(),
-                                flow_.solved_pressure().end());
+        const std::size_t first = static_cast<std::size_t>(s - 1) * n;
+        const Solved now = solved.pressure.empty()
+                               ? Solved{}
+                               : Solved{solved.pressure.subspan(first, n), solved.kappa.subspan(first, n)};
+        flow_.step(next, w, (static_cast<double>(next.frame) + part) * dt, record, {now, observer});
+        const auto keep = [](std::vector<double>& all, const std::vector<double>& of_step) {
+            all.insert(all.end(), of_step.begin(), of_step.end());
+        };
+        keep(solved_pressure_, flow_.solved_pressure());
+        keep(solved_kappa_, flow_.solved_kappa());
     }
     recycle_escaped(next, w);
     deform(next, record);

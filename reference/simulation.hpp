@@ -25,10 +25,10 @@ public:
 
     Engine engine() const override { return {Backend::reference, Precision::double_, "one CPU core"}; }
     FrameRecord advance() override;
-    /// The same, observed, and unless `solved_pressure` is empty without a solve of its own: by flow step and
-    /// particle [Pa], it is taken as the solution of (3). Model eos has none and ignores it.
-    /// \throws Error when it has another size than solved_pressure()
-    FrameRecord advance(std::span<const double> solved_pressure, FlowObserver& observer);
+    /// The same, observed, and unless `solved` is empty without solves of its own; by flow step and particle.
+    /// Model eos has none and ignores it.
+    /// \throws Error when one has another size than solved_pressure()
+    FrameRecord advance(const Solved& solved, FlowObserver& observer);
 
     /// Goes on from another state of the same scenario and spacing.
     /// \throws Error when it has another number of particles or another spacing
@@ -41,13 +41,14 @@ public:
     const SimulationState& state() const override { return state_; }
     const std::vector<double>& density() const override { return flow_.density(); }
     const std::vector<double>& solved_pressure() const override { return solved_pressure_; }
+    const std::vector<double>& solved_kappa() const override { return solved_kappa_; }
     const Vessel& vessel() const { return vessel_; }
 
 private:
     Simulation(const Scenario& scenario, std::optional<SimulationState> state);
     SimulationState first_state() const;
 
-    FrameRecord advance(std::span<const double> solved_pressure, FlowObserver* observer);
+    FrameRecord advance(const Solved& solved, FlowObserver* observer);
     Wall wall(const AneurysmState& aneurysm) const;
     void deform(SimulationState& state, FrameRecord& record) const;
     void recycle_escaped(SimulationState& state, const Wall& wall) const;
@@ -59,6 +60,7 @@ private:
     GhostLattice ghosts_;
     SimulationState state_;
     std::vector<double> solved_pressure_;
+    std::vector<double> solved_kappa_;
 };
 
 } // namespace aneurysm::reference

@@ -95,6 +95,10 @@ inline constexpr std::array names<WallCondition>{"no_slip"sv, "slip"sv};
 template <>
 inline constexpr std::array names<Waveform>{"sine"sv, "rectified_sine"sv, "raised_sine"sv, "constant"sv,
                                             "table"sv};
+template <>
+inline constexpr std::array names<InletProfile>{"plug"sv, "parabolic"sv};
+template <>
+inline constexpr std::array names<Rebound>{"elastic"sv, "none"sv};
 template <class Enum>
 std::string_view name_of(Enum value)
 {
@@ -143,7 +147,8 @@ void visit_flow(S& s, const Row& v)
     v(f.density_kg_m3, "fluid.density_kg_m3", above(0).to(1e5), paper("Table 1", {1050}),
       "density of blood, rho_0 [kg/m^3]");
     v(f.viscosity_pa_s, "fluid.viscosity_pa_s", from(0).to(1e6), assumed(), "dynamic viscosity, mu [Pa s]");
-    v(f.gravity_m_s2, "fluid.gravity_m_s2", from(-1000).to(1000), assumed(), "gravity, g [m/s^2]");
+    v(f.gravity_m_s2, "fluid.gravity_m_s2", from(-1000).to(1000), assumed(),
+      "gravity, g [m/s^2]; between open ends, while the wall is whole, pressure balances it");
     v(f.gravity_cycle_s, "fluid.gravity_cycle_s", from(0).to(1e6), paper("(1)", {0}),
       "cycle T of a force g sin(2 pi t/T) [s]; 0: g is steady");
     auto& k = s.kernel;
@@ -158,7 +163,13 @@ void visit_flow(S& s, const Row& v)
     v(p.relaxation, "pressure.relaxation", above(0).below(1), assumed(),
       "relaxation omega, the step of the pressure iteration, model dfsph");
     v(p.density_correction, "pressure.density_correction", from(0).to(1), assumed(),
-      "part of the density error that one step removes, model dfsph");
+      "part of the density error that one step removes, 0: density isn't corrected; model dfsph");
+    v(p.correction_tolerance_per_s, "pressure.correction_tolerance_per_s", above(0), assumed(),
+      "largest mean |residual| of the density's correction as a rate [1/s]");
+    v(p.correction_max_tolerance_per_s, "pressure.correction_max_tolerance_per_s", above(0), assumed(),
+      "largest |residual| of a single particle in the density's correction [1/s]");
+    v(p.correction_max_iterations, "pressure.correction_max_iterations", from(1).to(1e6), assumed(),
+      "iterations of one correction of the density at most");
     v(p.tolerance_per_s, "pressure.tolerance_per_s", above(0), assumed(),
       "largest mean |residual| of (3) as a rate [1/s]");
     v(p.max_tolerance_per_s, "pressure.max_tolerance_per_s", above(0), assumed(),
@@ -252,8 +263,14 @@ void visit_boundaries(S& s, const Row& v)
       "mass of the elastic wall, m_wall of (28) [kg]");
     v(s.elastic_wall.stiffness_n_m, "elastic_wall.stiffness_n_m", above(0), assumed(),
       "stiffness of the elastic wall, k of (28) [N/m]");
+    v(s.collision.rebound, "collision.rebound", {}, paper("Fig. 1", {"elastic"}),
+      "velocity of blood that is put back into the artery: elastic, its outward component turned round; none, as it was");
     auto& i = s.inlet;
     v(i.waveform, "inlet.waveform", {}, paper("(25)", {"sine"}), "inlet velocity over the cycle");
+    v(i.profile, "inlet.profile", {}, paper("(25)", {"plug"}),
+      "velocity over the inlet: plug, the same everywhere; parabolic, 0 at the wall and twice (25) on the axis");
+    v(i.ramp_s, "inlet.ramp_s", from(0).to(1000), paper("(25)", {0}),
+      "time in which the inlet's velocity rises smoothly from 0 to (25) [s]");
     v(i.peak_velocity_m_s, "inlet.peak_velocity_m_s", above(0).to(1e5), assumed(),
       "peak velocity at the inlet, v_0 [m/s]");
     v(i.cycle_s, "inlet.cycle_s", above(0).to(1000), paper("section 3.4", {0.8}),
@@ -264,21 +281,20 @@ void visit_boundaries(S& s, const Row& v)
       "velocities of waveform table, one for each time, linear between [m/s]");
     v(s.outlet.pressure_pa, "outlet.pressure_pa", from(0), assumed(),
       "pressure at the outlets, p_const of (26) [Pa]");
+    v(s.outlet.level_margin, "outlet.level_margin", from(0).to(1000), assumed(),
+      "the level of the pressure is this times what keeps the blood from tearing, p_const at most");
     auto& c = s.controller;
-    v(c.probe_depth_spacings, "controller.probe_depth_spacings", above(0).to(100), assumed(),
-      "an outlet's slab moves with the blood that is nearer to its plane than this, in spacings");
-    v(c.piston_reach_spacings, "controller.piston_reach_spacings", from(0).to(100), assumed(),
-      "the inlet's slab pushes the blood that is nearer to its plane than this, in spacings");
-    v(c.closest_entry_spacings, "controller.closest_entry_spacings", from(0).to(1), assumed(),
-      "a ghost doesn't become blood where blood is nearer than this, in spacings");
+    v(c.refill_distance_spacings, "controller.refill_distance_spacings", above(0).to(1), assumed(),
+      "a place in the far layer of an open end's buffer is filled when no blood is nearer than this, in spacings");
     auto& b = s.settling;
-    v(b.rounds, "settling.rounds", from(0).to(1e6), assumed(),
-      "rounds at most in which the lattice of frame 0 is pushed apart and loses what doesn't fit");
-    v(b.steps, "settling.steps", from(1).to(1e6), assumed(), "steps of such a round");
+    v(b.pushing_rounds, "settling.pushing_rounds", from(0).to(1e6), assumed(),
+      "rounds before those in which blood is only pushed apart and off the walls");
     v(b.max_iterations, "settling.max_iterations", from(1).to(1e6), assumed(),
-      "iterations of one pressure solve in it at most");
+      "iterations of a round at most");
+    v(b.rounds, "settling.rounds", from(0).to(1e6), assumed(),
+      "rounds at most in which the density of the lattice of frame 0 is corrected");
     v(b.density_correction, "settling.density_correction", above(0).to(1), assumed(),
-      "part of the density error that one step of it removes");
+      "part of the density error that one round removes");
     v(s.output.particles_every_frames, "output.particles_every_frames", from(0).to(1e9), setting(),
       "frames between particle files; 0: none");
     v(s.output.checkpoint_every_frames, "output.checkpoint_every_frames", from(0).to(1e9), setting(),

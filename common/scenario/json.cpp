@@ -5,6 +5,7 @@
 #include "common/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -202,18 +203,47 @@ const Tree& known_keys()
     return tree;
 }
 
+/// A key of earlier versions' scenarios, and what is allowed instead.
+struct GoneKey {
+    std::string_view path;
+    std::string_view instead;
+};
+constexpr std::array gone_keys{
+    GoneKey{"controller.probe_depth_spacings", "none, since forces move the blood behind an outlet"},
+    GoneKey{"controller.piston_reach_spacings", "none, since the inlet's blood pushes by its pressure"},
+    GoneKey{"controller.closest_entry_spacings",
+            "controller.refill_distance_spacings, from which distance on a place is filled"},
+    GoneKey{"settling.steps", "settling.pushing_rounds, in which blood is only pushed apart"}};
+
+/// What is allowed instead of a path that is no value of a scenario; empty where it never was one.
+std::string_view instead_of(std::string_view path)
+{
+    const auto* const gone = std::ranges::find(gone_keys, path, &GoneKey::path);
+    return gone == gone_keys.end() ? "" : gone->instead;
+}
+
+[[noreturn]] void refuse_gone(const std::string& where, const Json& value, std::string_view instead)
+{
+    throw InputError(where, "key of an earlier version (value " + shown(value) + ")",
+                     std::string("allowed: ").append(instead));
+}
+
 void refuse_unknown_in_group(const std::string& group, const Json& value, const std::string& origin)
 {
     if (!value.is_object()) {
         throw InputError(place(origin, group), "not an object (" + shown(value) + ")",
                          "allowed: an object with the keys " + joined(known_keys().at(group)));
     }
-    for (const auto& [key, unused] : value.items()) {
-        if (!known_keys().at(group).contains(key)) {
-            throw InputError(place(origin, group).append(".").append(key),
-                             "unknown key (value " + shown(unused) + ")",
-                             "allowed in " + group + ": " + joined(known_keys().at(group)));
+    for (const auto& [key, member] : value.items()) {
+        if (known_keys().at(group).contains(key)) {
+            continue;
         }
+        const std::string path = group + "." + key;
+        if (const std::string_view instead = instead_of(path); !instead.empty()) {
+            refuse_gone(place(origin, path), member, instead);
+        }
+        throw InputError(place(origin, path), "unknown key (value " + shown(member) + ")",
+                         "allowed in " + group + ": " + joined(known_keys().at(group)));
     }
 }
 
@@ -259,6 +289,9 @@ void apply_assumed(const Json& json, const std::string& origin, Scenario& scenar
         const auto [group, key] = split(path);
         const auto keys = known_keys().find(group);
         if (keys == known_keys().end() || !keys->second.contains(key)) {
+            if (const std::string_view instead = instead_of(path); !instead.empty()) {
+                refuse_gone(place(origin, "assumed." + path), reason, instead);
+            }
             throw InputError(place(origin, "assumed"), "no such value in a scenario (" + shown(path) + ")",
                              "allowed: JSON paths such as vessel.radius_m");
         }

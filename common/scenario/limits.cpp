@@ -23,7 +23,7 @@ double estimated_spacing(const Scenario& scenario)
     return std::cbrt(volume / active);
 }
 
-double largest_inlet_speed(const Scenario& scenario)
+double largest_inlet_velocity(const Scenario& scenario)
 {
     if (scenario.inlet.waveform != Waveform::table) {
         return scenario.inlet.peak_velocity_m_s;
@@ -33,6 +33,12 @@ double largest_inlet_speed(const Scenario& scenario)
         largest = std::max(largest, std::abs(v));
     }
     return largest;
+}
+
+double largest_inlet_speed(const Scenario& scenario)
+{
+    const double over_mean = scenario.inlet.profile == InletProfile::parabolic ? 2 : 1;
+    return over_mean * largest_inlet_velocity(scenario);
 }
 
 StepLimits step_limits(const Scenario& scenario, double dx)

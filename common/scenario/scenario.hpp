@@ -16,6 +16,9 @@ enum class KernelName { cubic_spline, wendland_c2 };
 enum class PressureModel { dfsph, eos };
 enum class SacShape { none, hemispherical, spherical, piriform };
 enum class Waveform { sine, rectified_sine, raised_sine, constant, table };
+enum class InletProfile { plug, parabolic };
+/// What a collision with the wall does to the velocity.
+enum class Rebound { elastic, none };
 /// What the blood flows in. All but the artery are for verification: lattices of `cells` on straight axes.
 enum class DomainForm {
     artery,  ///< the paper's branching artery
@@ -74,7 +77,10 @@ struct Scenario {
         PressureModel model = PressureModel::dfsph;
         double stiffness_m2_s2 = 0; ///< kappa of the equation of state; drives the flow only in model `eos`
         double relaxation = 0;      ///< omega, the step of the pressure iteration, model `dfsph`
-        double density_correction = 0;  ///< beta: part of the density error that one step removes, 0 to 1
+        double density_correction = 0; ///< beta: part of the density error that one step removes, 0 to 1
+        double correction_tolerance_per_s = 0;     ///< as the next two, for the correction of the density
+        double correction_max_tolerance_per_s = 0; ///< [1/s]
+        std::int64_t correction_max_iterations = 0;
         double tolerance_per_s = 0;     ///< largest mean |residual| of (3) as a rate [1/s]
         double max_tolerance_per_s = 0; ///< largest |residual| of a single particle [1/s]
         std::int64_t max_iterations = 0;
@@ -128,28 +134,33 @@ struct Scenario {
     } elastic_wall;
 
     struct {
+        Rebound rebound = Rebound::elastic;
+    } collision;
+
+    struct {
         Waveform waveform = Waveform::sine;
+        double ramp_s = 0;                      ///< the velocity rises smoothly from 0 in this time
         double peak_velocity_m_s = 0;           ///< v_0
         double cycle_s = 0;                     ///< T
         std::vector<double> table_time_s;       ///< waveform `table`: from 0, rising, below T; periodic
         std::vector<double> table_velocity_m_s; ///< as many as times
+        InletProfile profile = InletProfile::plug;
     } inlet;
 
     struct {
-        double pressure_pa = 0; ///< p_const
+        double pressure_pa = 0;  ///< p_const
+        double level_margin = 0; ///< the level of the pressure is this times what keeps blood from tearing
     } outlet;
 
     struct Controller {
-        double probe_depth_spacings = 0;   ///< before an outlet: its slab moves with the blood in there
-        double piston_reach_spacings = 0;  ///< before the inlet: its slab pushes the blood in there
-        double closest_entry_spacings = 0; ///< between blood and a ghost that may become blood
+        double refill_distance_spacings = 0; ///< a buffer's far layer is filled where blood is farther away
     } controller;
 
     struct {
-        std::int64_t rounds = 0;         ///< each pushes apart and takes out what doesn't fit; at most
-        std::int64_t steps = 0;          ///< of a round
-        std::int64_t max_iterations = 0; ///< of one pressure solve
-        double density_correction = 0;   ///< beta of (3)
+        std::int64_t pushing_rounds = 0; ///< that only push blood apart
+        std::int64_t rounds = 0;         ///< of the whole correction behind them, at most
+        std::int64_t max_iterations = 0; ///< of a round
+        double density_correction = 0;   ///< beta of a round
     } settling;
 
     struct {

@@ -41,6 +41,7 @@ public:
             check_vessel();
             check_resolution();
         }
+        check_openings();
         check_inlet();
         check_steps();
         check_rest();
@@ -209,6 +210,20 @@ private:
                 "more particles, or shorter tubes");
     }
 
+    void check_openings() const
+    {
+        const DomainForm form = s_.domain.form;
+        const bool open = form == DomainForm::artery || form == DomainForm::duct || form == DomainForm::pipe;
+        if (s_.inlet.profile == InletProfile::parabolic && (!open || form == DomainForm::duct)) {
+            refuse("inlet.profile", "a parabola needs a round inlet (\"parabolic\")",
+                   "plug, since domain.form is " + std::string(fields::name_of(form)));
+        }
+        require(open || s_.inlet.ramp_s == 0, s_.inlet.ramp_s, "start of no inlet",
+                "0, since domain.form is " + std::string(fields::name_of(form)));
+        require(!open || s_.outlet.pressure_pa > 0 || s_.outlet.level_margin == 0, s_.outlet.level_margin,
+                "margin of a pressure that is 0", "0, or outlet.pressure_pa > 0");
+    }
+
     void check_inlet() const
     {
         const auto& in = s_.inlet;
@@ -266,6 +281,10 @@ private:
         require(p.tolerance_per_s <= p.max_tolerance_per_s, p.max_tolerance_per_s,
                 "a single particle's residual cannot be held below the mean",
                 "at least pressure.tolerance_per_s (" + text(p.tolerance_per_s) + ")");
+        require(p.correction_tolerance_per_s <= p.correction_max_tolerance_per_s,
+                p.correction_max_tolerance_per_s,
+                "a single particle's residual cannot be held below the mean",
+                "at least pressure.correction_tolerance_per_s (" + text(p.correction_tolerance_per_s) + ")");
         const auto& g = s_.growth;
         require(g.thinning_intensity_per_m * g.largest_increment_m < 1, g.largest_increment_m,
                 "(23) would make the wall's thickness negative",

@@ -74,7 +74,9 @@ SimulationState initial_state(const Scenario& scenario, const Lattice& lattice, 
     p.position.resize(count);
     p.kind.resize(count, Kind::reserve);
     p.velocity.resize(count);
-    p.pressure.resize(count, unset_pressure);
+    p.pressure.resize(count);
+    p.kappa.resize(count);
+    p.drift.resize(count);
 
     std::mt19937_64 engine(static_cast<std::uint64_t>(scenario.particles.seed));
     const double amplitude = scenario.particles.jitter_spacings * lattice.spacing;

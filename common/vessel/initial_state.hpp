@@ -13,10 +13,6 @@ namespace aneurysm
 /// R at frame 0 [m]
 double initial_radius(const Scenario& scenario);
 
-/// Pressure of a particle that has not been through a solve yet;
-/// the next one starts from its neighbors' mean.
-constexpr double unset_pressure = -1;
-
 /// As many particles as the scenario's count leaves beside the reserve, or the lattice of a known spacing.
 /// \throws InputError when the count is too few
 Lattice sample(const Scenario& scenario, const Vessel& vessel, double daughter_radius,

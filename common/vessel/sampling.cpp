@@ -40,7 +40,7 @@ Axes artery_axes(const Vessel& vessel, double R, double dx, double reach)
     if (vessel.has_sac()) {
         high = {std::max(high.x, R), std::max(high.y, vessel.dome(R).y), std::max(high.z, R)};
     }
-    // Cells below the inlet plane are whole, so that the inlet's ghosts continue the fluid's lattice.
+    // Cells below the inlet plane are whole, so that the inlet's buffer continues the fluid's lattice.
     const double below = std::ceil(margin / dx) + 1;
     const double y_0 = openings[0].center.y - below * dx;
     const auto cells = [&](double extent) {
@@ -79,6 +79,23 @@ void for_each_lattice_point(const Vessel& vessel, double R, double dx, double re
     }
 }
 
+/// Puts the columns of the inlet's buffer out of phase, each shifted along the axis by a part of dx that differs
+/// from its neighbors': a lattice would send a whole layer through the inlet at once. The parts are Roberts's R2
+/// sequence, 1/q and 1/q^2 with q^3 = q + 1, from 0 on: a part of -1/2 would leave a particle on the plane itself.
+void dephase(std::vector<Vec3>& buffer, const Opening& inlet, double dx)
+{
+    const double depth = opening_layers * dx;
+    for (Vec3& x : buffer) {
+        const double turns =
+            0.7548776662466927 * std::floor(x.x / dx) + 0.5698402909980532 * std::floor(x.z / dx);
+        const double beyond = inlet.beyond(x);
+        double shifted = beyond + (turns - std::round(turns)) * dx;
+        shifted += shifted <= 0 ? depth : 0;
+        shifted -= shifted >= depth ? depth : 0;
+        x += (shifted - beyond) * inlet.outward;
+    }
+}
+
 } // namespace
 
 Lattice sample_lattice(const Vessel& vessel, double R, double dx)
@@ -97,6 +114,7 @@ Lattice sample_lattice(const Vessel& vessel, double R, double dx)
             lattice.openings[end].push_back(x);
         }
     });
+    dephase(lattice.openings[0], vessel.openings()[0], dx);
     return lattice;
 }
 

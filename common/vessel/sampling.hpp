@@ -11,15 +11,15 @@
 namespace aneurysm
 {
 
-/// Layers of ghost particles behind each open end.
+/// Layers of blood in the buffer behind each open end.
 constexpr int opening_layers = 3;
 
-/// Particle positions on one cubic lattice of the given spacing,
-/// aligned with the parent's axis and the inlet plane.
+/// Particle positions on one cubic lattice of the given spacing, aligned with the parent's axis and the inlet
+/// plane; in the inlet's buffer each column is shifted along the axis.
 struct Lattice {
     double spacing = 0;                        ///< dx [m]
     std::vector<Vec3> fluid;                   ///< inside the wall
-    std::array<std::vector<Vec3>, 3> openings; ///< ghosts of inlet and outlets, `opening_layers` deep
+    std::array<std::vector<Vec3>, 3> openings; ///< buffers of inlet and outlets, `opening_layers` deep
 
     std::size_t size() const
     {
