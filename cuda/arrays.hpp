@@ -31,8 +31,8 @@ struct BeginFrame {
         scene->record.frame = input->frame;
         scene->record.time = input->time;
         scene->fault = Fault::none;
-        scene->free_blocks = 0;
-        scene->ghost_blocks = 0;
+        scene->blood_blocks = 0;
+        scene->wall_blocks = 0;
     }
 };
 
@@ -51,6 +51,7 @@ public:
         make_particles();
         make_bodies();
         make_sorted();
+        make_solve();
         make_cells(setup);
         make_patterns(setup.lattice);
         const bool given = tuning.list_blocks > 0;
@@ -67,15 +68,15 @@ public:
         const Particles& p = state.particles;
         std::vector<Row<Real>> x;
         std::vector<Row<Real>> v;
-        std::vector<Real> pressure;
         for (std::size_t i = 0; i < p.size(); ++i) {
             x.push_back(row(fields_.c.vessel.wrapped(narrow<Real>(p.position[i])), Real(0)));
             v.push_back(row(narrow<Real>(p.velocity[i]), Real(0)));
-            pressure.push_back(static_cast<Real>(p.pressure[i]));
         }
         executor_->upload(fields_.position, x.data(), x.size());
         executor_->upload(fields_.velocity, v.data(), v.size());
-        executor_->upload(fields_.pressure, pressure.data(), pressure.size());
+        upload_narrowed(fields_.pressure, p.pressure);
+        upload_narrowed(fields_.kappa, p.kappa);
+        upload_narrowed(fields_.drift, p.drift);
         executor_->upload(fields_.kind, p.kind.data(), p.kind.size());
         const std::vector<Real> rho(p.size(), fields_.c.rho_0);
         executor_->upload(fields_.density, rho.data(), rho.size());
@@ -99,13 +100,14 @@ public:
         Particles& p = state.particles;
         const auto x = fetched(fields_.position, n_);
         const auto v = fetched(fields_.velocity, n_);
-        const auto pressure = fetched(fields_.pressure, n_);
         const auto place = [](const Row<Real>& r) { return wide(r.vector()); };
         p.position.resize(x.size());
         p.velocity.resize(x.size());
         std::ranges::transform(x, p.position.begin(), place);
         std::ranges::transform(v, p.velocity.begin(), place);
-        p.pressure.assign(pressure.begin(), pressure.end());
+        p.pressure = widened(fetched(fields_.pressure, n_));
+        p.kappa = widened(fetched(fields_.kappa, n_));
+        p.drift = widened(fetched(fields_.drift, n_));
         p.kind = fetched(fields_.kind, n_);
         const Scene scene = fetched_scene();
         state.aneurysm = scene.aneurysm;
@@ -118,6 +120,7 @@ public:
     {
         return widened(fetched(fields_.solved_pressure, n_ * steps_));
     }
+    std::vector<double> solved_kappa() const { return widened(fetched(fields_.solved_kappa, n_ * steps_)); }
 
     /// Keeps the state as it is before a frame.
     void save() { copy_state(saved_, fields_); }
@@ -127,8 +130,8 @@ public:
     /// Makes room for what the lists of a frame wanted, and a quarter more.
     void grow_lists(const Scene& wanted)
     {
-        make_lists(std::max(fields_.free.capacity, wanted.free_blocks + wanted.free_blocks / 4),
-                   std::max(fields_.ghosts.capacity, wanted.ghost_blocks + wanted.ghost_blocks / 4));
+        make_lists(std::max(fields_.blood.capacity, wanted.blood_blocks + wanted.blood_blocks / 4),
+                   std::max(fields_.walls.capacity, wanted.wall_blocks + wanted.wall_blocks / 4));
     }
 
 private:
@@ -137,6 +140,8 @@ private:
         Row<Real>* position = nullptr;
         Row<Real>* velocity = nullptr;
         Real* pressure = nullptr;
+        Real* kappa = nullptr;
+        Real* drift = nullptr;
         Kind* kind = nullptr;
         Scene* scene = nullptr;
     };
@@ -147,6 +152,8 @@ private:
         executor_->copy(to.position, from.position, n_);
         executor_->copy(to.velocity, from.velocity, n_);
         executor_->copy(to.pressure, from.pressure, n_);
+        executor_->copy(to.kappa, from.kappa, n_);
+        executor_->copy(to.drift, from.drift, n_);
         executor_->copy(to.kind, from.kind, n_);
         executor_->copy(to.scene, from.scene, 1);
     }
@@ -157,6 +164,12 @@ private:
         std::vector<T> host(static_cast<std::size_t>(size));
         executor_->download(host.data(), array, host.size());
         return host;
+    }
+    void upload_narrowed(Real* to, const std::vector<double>& values)
+    {
+        std::vector<Real> narrowed(values.size());
+        std::ranges::transform(values, narrowed.begin(), [](double x) { return static_cast<Real>(x); });
+        executor_->upload(to, narrowed.data(), narrowed.size());
     }
     static std::vector<double> widened(const std::vector<Real>& values)
     {
@@ -175,13 +188,18 @@ private:
         memory_.make(f.position, n_);
         memory_.make(f.velocity, n_);
         memory_.make(f.pressure, n_);
+        memory_.make(f.kappa, n_);
+        memory_.make(f.drift, n_);
         memory_.make(f.kind, n_);
         memory_.make(f.density, n_);
         memory_.make(f.solved_pressure, n_ * steps_);
+        memory_.make(f.solved_kappa, n_ * steps_);
         memory_.make(f.event, n_);
         memory_.make(saved_.position, n_);
         memory_.make(saved_.velocity, n_);
         memory_.make(saved_.pressure, n_);
+        memory_.make(saved_.kappa, n_);
+        memory_.make(saved_.drift, n_);
         memory_.make(saved_.kind, n_);
         memory_.make(saved_.scene, 1);
     }
@@ -194,7 +212,6 @@ private:
         memory_.make(f.body_x, bodies);
         memory_.make(f.body_y, bodies);
         memory_.make(f.body_z, bodies);
-        memory_.make(f.is_mirror, bodies);
     }
     void make_sorted()
     {
@@ -202,29 +219,39 @@ private:
         memory_.make(f.key, n_);
         memory_.make(f.sorted_key, n_);
         memory_.make(f.order, n_);
-        memory_.make(f.start, 2 * f.c.grid.cells() + 2);
-        memory_.make(f.free.begin, n_ + 1);
-        memory_.make(f.free.blocks, n_);
-        memory_.make(f.ghosts.begin, n_ + 1);
-        memory_.make(f.ghosts.blocks, n_);
-        memory_.make(f.ghost_gradient, n_);
+        memory_.make(f.start, f.c.grid.cells() + 2);
+        memory_.make(f.is_driven, n_ + 1);
+        memory_.make(f.body_drift, n_ + 1);
+        memory_.make(f.blood.begin, n_ + 1);
+        memory_.make(f.blood.blocks, n_);
+        memory_.make(f.walls.begin, n_ + 1);
+        memory_.make(f.walls.blocks, n_);
+        memory_.make(f.blood_gradient, n_);
+        memory_.make(f.wall_gradient, n_);
+        memory_.make(f.driven_gradient, n_);
         memory_.make(f.force, n_);
         memory_.make(f.acceleration, n_);
         memory_.make(f.solved_velocity, n_ + 1);
+        memory_.make(f.correction, n_ + 1);
+        memory_.make(f.impact, n_);
+        memory_.make(f.impact_eos, n_);
+        memory_.make(f.reserve_rank, n_ + 1);
+        // Between a step's sort and its lists' counts these aren't needed as what they are.
+        f.in_reserve = f.key;
+        f.reserve = f.blood.blocks;
+    }
+    void make_solve()
+    {
+        Fields<Real>& f = fields_;
         memory_.make(f.p, n_ + 1);
         memory_.make(f.p_old, n_ + 1);
+        memory_.make(f.lowest, n_);
         memory_.make(f.alpha, n_);
         memory_.make(f.source, n_);
         memory_.make(f.response, n_);
         memory_.make(f.rate, n_);
-        memory_.make(f.impact, n_);
-        memory_.make(f.impact_eos, n_);
-        memory_.make(f.rank, n_ + 1);
-        memory_.make(f.entry_rank, n_ + 1);
-        // Between a step's sort and its lists' counts these aren't needed as what they are.
-        f.flag = f.key;
-        f.entering = f.sorted_key;
-        f.reserve = f.free.blocks;
+        memory_.make(f.mirrors, n_);
+        memory_.make(f.is_given, n_);
     }
     void make_cells(const Setup& setup)
     {
@@ -244,16 +271,18 @@ private:
             fields_.pattern_begin[k + 1] = static_cast<Index>(places.size());
         }
         memory_.make(fields_.pattern, places);
+        memory_.make(fields_.to_fill, fields_.places());
+        memory_.make(fields_.fill_rank, fields_.places() + 1);
     }
-    void make_lists(Index free_blocks, Index ghost_blocks)
+    void make_lists(Index blood_blocks, Index wall_blocks)
     {
         Fields<Real>& f = fields_;
-        f.free.capacity = free_blocks;
-        f.ghosts.capacity = ghost_blocks;
-        memory_.make(f.free.body, lane_count * free_blocks);
-        memory_.make(f.ghosts.body, lane_count * ghost_blocks);
+        f.blood.capacity = blood_blocks;
+        f.walls.capacity = wall_blocks;
+        memory_.make(f.blood.body, lane_count * blood_blocks);
+        memory_.make(f.walls.body, lane_count * wall_blocks);
         if (keeps_gradients_) {
-            memory_.make(f.gradient, 3 * lane_count * free_blocks);
+            memory_.make(f.gradient, 3 * lane_count * blood_blocks);
         }
     }
 
@@ -266,11 +295,13 @@ private:
         const Row<Real> values{0, 0, 0, f.c.rho_0};
         const Row<Real> zeros{0, 0, 0, 0};
         const Real zero = 0;
-        const Index mirror = 1;
+        const Index no = 0;
         executor_->upload(f.body_position + at, &place, 1);
         executor_->upload(f.body_velocity + at, &values, 1);
-        executor_->upload(f.is_mirror + at, &mirror, 1);
+        executor_->upload(f.is_driven + at, &no, 1);
+        executor_->upload(f.body_drift + at, &zero, 1);
         executor_->upload(f.solved_velocity + at, &zeros, 1);
+        executor_->upload(f.correction + at, &zeros, 1);
         executor_->upload(f.p + at, &zero, 1);
     }
 

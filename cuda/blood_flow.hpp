@@ -49,7 +49,7 @@ ANEURYSM_INLINE Vec3T<Lanes<Real>> gradient(const Fields<Real>& f, const Pairs<R
     return pair.m * f.c.kernel.gradient_factor(pair.r) * pair.x;
 }
 
-/// m_j grad W_ij of block b of the free neighbors of i, from memory where it is kept; the same bits.
+/// m_j grad W_ij of block b of the blood around i, from memory where it is kept; the same bits.
 template <bool kept, class Real>
 ANEURYSM_INLINE Vec3T<Lanes<Real>> gradient(const Fields<Real>& f, Index i, Index b, const Lanes<Index>& j,
                                             Lane lane)
@@ -78,7 +78,8 @@ ANEURYSM_HD Vec3T<Real> momentum_force(Real rho, const Vec3T<Real>& g, const Vec
     return rho * g + F_viscosity + F_pressure;
 }
 
-/// Eq. (2)  Drho/Dt = -rho div v, as the time derivative of (5); the ghosts' part is known before the solve:
+/// Eq. (2)  Drho/Dt = -rho div v, as the time derivative of (5). What given bodies add beyond their place in the lists is
+/// known before the solve:
 ///
 ///     Drho_i/Dt = sum_j m_j (v_i - v_j) . grad W_ij                                           [kg/(m^3 s)]
 template <bool kept, class Real>
@@ -87,13 +88,13 @@ ANEURYSM_INLINE Real density_rate(const Fields<Real>& f, const Row<Real>* v, Ind
     const Vec3T<Real> own = v[i].vector();
     const Vec3T<Lanes<Real>> v_i = all_lanes(own);
     Lanes<Real> rate;
-    for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
-        const Lanes<Index> j = neighbors(f.free, b, lane);
+    for (Index b = f.blood.begin[i]; b < f.blood.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.blood, b, lane);
         const Vec3T<Lanes<Real>> v_ij = v_i - gather_rows(v, j).vector();
         rate += dot(v_ij, gradient<kept>(f, i, b, j, lane));
     }
-    const Row<Real> ghosts = f.ghost_gradient[i];
-    return sum(rate, lane) + (dot(own, ghosts.vector()) - ghosts.w);
+    const Row<Real> mirrors = f.mirrors[i];
+    return sum(rate, lane) + (dot(own, mirrors.vector()) - mirrors.w);
 }
 
 /// Eq. (4)  A field at a point r from its values A_j at the bodies around it:
@@ -138,28 +139,25 @@ ANEURYSM_INLINE Number equation_of_state(const Number& kappa, const Number& rho,
 ///
 ///     F_i^pressure = -sum_j m_j (p_i + p_j) / (2 rho_j) grad W_ij                             [N/m^3]
 ///
-/// with the pressure of (EOS) at free bodies, `outlet_factor` times
-/// the outlet's at its ghosts, and p_i at mirror ghosts.
+/// with the pressure of (EOS) at free bodies, and p_i at the others.
 template <class Real>
-ANEURYSM_HD Vec3T<Real> pressure_force(const Fields<Real>& f, Index i, Real outlet_factor, Lane lane)
+ANEURYSM_HD Vec3T<Real> pressure_force(const Fields<Real>& f, Index i, Lane lane)
 {
     using Number = Lanes<Real>;
     const Number kappa(f.c.kappa);
     const Number rho_0(f.c.rho_0);
     const Number p_i = equation_of_state(kappa, Number(f.body_velocity[i].w), rho_0);
     Vec3T<Number> force;
-    for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
-        const Lanes<Index> j = neighbors(f.free, b, lane);
+    for (Index b = f.blood.begin[i]; b < f.blood.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.blood, b, lane);
         const Number rho_j = gather_rows(f.body_velocity, j).w;
-        const Number p_j = equation_of_state(kappa, rho_j, rho_0);
+        const Mask is_driven = Lanes<Index>(0) < gather(f.is_driven, j);
+        const Number p_j = select(is_driven, p_i, equation_of_state(kappa, rho_j, rho_0));
         force -= (p_i + p_j) / (Number(2) * rho_j) * gradient(f, pairs(f, i, j));
     }
-    for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
-        const Lanes<Index> j = neighbors(f.ghosts, b, lane);
-        const Mask mirror = Lanes<Index>(0) < gather(f.is_mirror, j);
-        const Number p_outlet = Number(outlet_factor) * gather_rows(f.body_velocity, j).w;
-        const Number p_j = select(mirror, p_i, p_outlet);
-        force -= (p_i + p_j) / (Number(2) * rho_0) * gradient(f, pairs(f, i, j));
+    for (Index b = f.walls.begin[i]; b < f.walls.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.walls, b, lane);
+        force -= (p_i + p_i) / (Number(2) * rho_0) * gradient(f, pairs(f, i, j));
     }
     return sum(force, lane);
 }
@@ -168,7 +166,7 @@ ANEURYSM_HD Vec3T<Real> pressure_force(const Fields<Real>& f, Index i, Real outl
 ///
 ///     F_i^viscosity = mu sum_j m_j (v_j - v_i) / rho_j lap W_ij                               [N/m^3]
 ///
-/// over all j but the ghosts of a wall that lets blood slip.
+/// over all j but the ghosts of a wall that lets blood slip; that of the others have the velocity of (27).
 template <bool periodic, class Real>
 ANEURYSM_INLINE Vec3T<Real> viscosity_force(const Fields<Real>& f, Index i, Lane lane)
 {
@@ -177,14 +175,14 @@ ANEURYSM_INLINE Vec3T<Real> viscosity_force(const Fields<Real>& f, Index i, Lane
     const Number mu(f.c.mu);
     const Lanes<Index> slips_from(f.c.slips ? f.c.first_wall() : f.c.bodies());
     Vec3T<Number> force;
-    for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
-        const Lanes<Index> j = neighbors(f.free, b, lane);
+    for (Index b = f.blood.begin[i]; b < f.blood.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.blood, b, lane);
         const Pairs<Real> pair = pairs<periodic>(f, i, j);
         const RowLanes<Real> other = gather_rows(f.body_velocity, j); // w: rho_j
         force += mu * pair.m / other.w * f.c.kernel.viscosity_laplacian(pair.r) * (other.vector() - v_i);
     }
-    for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
-        const Lanes<Index> j = neighbors(f.ghosts, b, lane);
+    for (Index b = f.walls.begin[i]; b < f.walls.begin[i + 1]; ++b) {
+        const Lanes<Index> j = neighbors(f.walls, b, lane);
         const Pairs<Real> pair = pairs<periodic>(f, i, j);
         const Number m = select(j < slips_from, pair.m, Number(0));
         const Vec3T<Number> v_j = gather_rows(f.body_velocity, j).vector();

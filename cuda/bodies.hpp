@@ -5,6 +5,7 @@
 #include "cuda/boundary.hpp"
 #include "cuda/controller.hpp"
 #include "cuda/fields.hpp"
+#include "cuda/neighbors.hpp"
 
 namespace aneurysm::device
 {
@@ -58,11 +59,10 @@ struct PlaceWalls {
         const Index body = f.c.first_wall() + w;
         place(f, body, x, mass);
         f.body_velocity[body] = row(wall_velocity<Real>(), Real(0));
-        f.is_mirror[body] = 1;
     }
 };
 
-/// Particles in sorted order. Ghosts of the outlets carry the pressure of (26).
+/// Particles in sorted order.
 template <class Real>
 struct SortBodies {
     Fields<Real> f;
@@ -70,15 +70,57 @@ struct SortBodies {
     ANEURYSM_HD void operator()(Index s) const
     {
         const Index id = f.order[s];
-        const Index k = open_end(f.kind[id]);
-        Real w = 0;
-        if (k > 0) {
-            const double v = f.scene->outlet_velocity[k - 1];
-            w = static_cast<Real>(outlet_pressure(f.c.p_outlet, static_cast<double>(f.c.rho_0), v));
-        }
         place(f, s, f.position[id].vector(), f.c.mass);
-        f.body_velocity[s] = row(f.velocity[id].vector(), w);
-        f.is_mirror[s] = k == 0 ? 1 : 0;
+        f.body_velocity[s] = row(f.velocity[id].vector(), Real(0));
+        f.is_driven[s] = f.kind[id] == Kind::inlet ? 1 : 0;
+        f.body_drift[s] = f.drift[id];
+    }
+};
+
+/// The velocity (27) of each ghost of a wall near blood, over all blood that it sees.
+template <class Real>
+struct ExtrapolateVelocity {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index w, Lane lane) const
+    {
+        f.c.is_periodic ? extrapolate<true>(w, lane) : extrapolate<false>(w, lane);
+    }
+
+private:
+    template <bool periodic>
+    ANEURYSM_INLINE void extrapolate(Index w, Lane lane) const
+    {
+        using Number = Lanes<Real>;
+        const Index body = f.c.first_wall() + w;
+        const Row<Real> own = f.body_position[body];
+        if (!(own.w > 0)) {
+            return;
+        }
+        Number weights;
+        Vec3T<Number> weighted;
+        for_each_row<periodic>(f.c.grid, own.vector(), f.start, [&](Range range) {
+            for (Index k = range.begin; k < range.end; k += lane_count) {
+                Vec3T<Number> x{Number(own.x) - load(f.body_x + k, lane),
+                                Number(own.y) - load(f.body_y + k, lane),
+                                Number(own.z) - load(f.body_z + k, lane)};
+                if constexpr (periodic) {
+                    x = shortest(x, f.c.vessel.period());
+                }
+                const Mask is_there = Lanes<Index>(k) + numbers(lane) < Lanes<Index>(range.end);
+                const Number W = f.c.kernel.value(sqrt(dot(x, x)));
+                const Vec3T<Number> v = load_rows(f.body_velocity + k, lane).vector();
+                const Number zero(0); // what is behind the range may be no number
+                weights += select(is_there, W, zero);
+                weighted += {select(is_there, W * v.x, zero), select(is_there, W * v.y, zero),
+                             select(is_there, W * v.z, zero)};
+            }
+        });
+        const Real total = sum(weights, lane);
+        const Vec3T<Real> mean = sum(weighted, lane) / total;
+        if (lane.is_first() && total > 0) {
+            f.body_velocity[body] = row(no_slip_velocity(wall_velocity<Real>(), mean), Real(0));
+        }
     }
 };
 

@@ -28,12 +28,18 @@ inline double table_velocity(const Scenario& scenario, double phase)
     return velocity[k - 1] + (v_1 - velocity[k - 1]) * part;
 }
 
-/// Eq. (25)  Velocity of the inlet's ghost particles, along the parent's axis into the artery:
-///
-///     v_inlet = v_0 sin(2 pi t / T)                                                           [m/s]
-///
-/// On the host, once a step: a sine need not have the same bits on a GPU.
-inline double inlet_velocity(const Scenario& scenario, double t)
+/// The part of (25) that a start in the time `ramp` lets through at time t, 0 to 1, with a continuous slope.
+inline double inlet_ramp(double ramp, double t)
+{
+    if (!(ramp > 0 && t < ramp)) {
+        return 1;
+    }
+    const double s = t > 0 ? t / ramp : 0;
+    return s * s * (3 - 2 * s);
+}
+
+/// The waveform of (25) [m/s]. On the host, once a step: a sine need not have the same bits on a GPU.
+inline double inlet_waveform(const Scenario& scenario, double t)
 {
     const double v_0 = scenario.inlet.peak_velocity_m_s;
     const double T = scenario.inlet.cycle_s;
@@ -53,30 +59,58 @@ inline double inlet_velocity(const Scenario& scenario, double t)
     return 0;
 }
 
-/// Pressure in an outlet whose slab moves outwards with v: p_const while blood leaves, the pressure of blood
-/// at rest while it comes back [Pa].
-ANEURYSM_HD inline double outlet_pressure(double p_const, double rho_0, double v)
-{
-    return v < 0 ? p_const - 0.5 * rho_0 * v * v : p_const;
-}
-
-/// Eq. (26)  Force per volume of outlet ghosts j, which carry p_outlet = p_const, on their neighbor i:
+/// Eq. (25)  Velocity of the inlet's blood, along the parent's axis into the artery, after the start:
 ///
-///     F = -m_j / rho_0 p_const grad W_ij                                                      [N/m^3]
-template <class Number>
-ANEURYSM_HD Vec3T<Number> outlet_pressure_force(const Number& rho_0, const Number& p_const,
-                                                const Vec3T<Number>& m_grad_W)
+///     v_inlet = v_0 sin(2 pi t / T)                                                           [m/s]
+inline double inlet_velocity(const Scenario& scenario, double t)
 {
-    return (Number(0) - p_const / rho_0) * m_grad_W;
+    return inlet_ramp(scenario.inlet.ramp_s, t) * inlet_waveform(scenario, t);
 }
 
-/// Eq. (27)  Velocity of the wall's ghost particles: no slip.
+/// Velocity over the inlet's section at the distance r from its axis, over the mean (25): a plug, or
+/// Poiseuille's parabola.
+template <class Real>
+ANEURYSM_HD Real inlet_profile(InletProfile profile, Real r_squared, Real radius)
+{
+    const Real parabola = 2 * (1 - r_squared / (radius * radius));
+    return profile == InletProfile::plug ? 1 : (parabola > 0 ? parabola : 0);
+}
+
+/// Eq. (26)  Force per volume on blood i in an outlet's buffer by the pressure p beyond its far end, which
+/// stands in for the neighbors that are missing there; `gradient`: sum of m_j grad W_ij over all:
+///
+///     F = 2 p / rho_0 sum_j m_j grad W_ij                                                     [N/m^3]
+template <class Real>
+ANEURYSM_HD Vec3T<Real> outlet_pressure_force(const Vec3T<Real>& gradient, Real rho_0, Real p)
+{
+    return 2 * p / rho_0 * gradient;
+}
+
+/// Force per volume on the blood of a buffer of depth D that comes back with the mean velocity v < 0: the
+/// pressure beyond is that of blood at rest, which falls by rho v^2 / 2 over the buffer.       [N/m^3]
+template <class Real>
+ANEURYSM_HD Vec3T<Real> inflow_force(Real rho_0, Real v, Real D, const Vec3T<Real>& outward)
+{
+    return v < 0 ? Real(0.5) * rho_0 * v * v / D * outward : Vec3T<Real>{};
+}
+
+/// Eq. (27)  Velocity of the wall.
 ///
 ///     v_wall = 0                                                                              [m/s]
 template <class Real>
 ANEURYSM_HD Vec3T<Real> wall_velocity()
 {
     return Vec3T<Real>{};
+}
+
+/// Velocity of a wall's ghost in (7) by (27), such that blood and ghosts together have the wall's velocity on
+/// the wall itself (Adami, Hu and Adams 2012); `mean`: that of the blood around it:
+///
+///     v_j = 2 v_wall - sum_i v_i W_ij / sum_i W_ij                                             [m/s]
+template <class Real>
+ANEURYSM_HD Vec3T<Real> no_slip_velocity(const Vec3T<Real>& wall, const Vec3T<Real>& mean)
+{
+    return Real(2) * wall - mean;
 }
 
 /// Eq. (28)  m_wall d^2u/dt^2 = F_fluid - k u, one symplectic Euler step:

@@ -54,8 +54,8 @@ public:
     {
         if (setup.vessel.form() == DomainForm::artery) {
             mark_ghosts(setup);
-        } else { // small domains, with ghosts all around or behind seams
-            std::ranges::fill(properties_, near_wall | near_opening);
+        } else { // small domains, with walls all around or behind seams
+            std::ranges::fill(properties_, near_wall);
         }
         mark_deep_cells(setup.vessel);
     }
@@ -70,9 +70,6 @@ private:
         }
         for (const Vec3& x : setup.ghosts.near_sac()) {
             mark_around(x, near_wall);
-        }
-        for (const Opening& end : setup.vessel.openings()) {
-            mark_slab(end, setup);
         }
     }
     /// All cells from which something at x may be seen.
@@ -90,28 +87,6 @@ private:
             for (Index j = y_low; j <= y_high; ++j) {
                 for (Index i = x_low; i <= x_high; ++i) {
                     properties_[static_cast<std::size_t>(grid.index(i, j, k))] |= what;
-                }
-            }
-        }
-    }
-
-    /// A slab's ghosts can be anywhere behind their plane, as far as the slab goes: marks around places half
-    /// a cell apart.
-    void mark_slab(const Opening& end, const Setup& setup)
-    {
-        const double step = setup.h;
-        const double reach = end.radius + 4 * step;
-        const int n = static_cast<int>(reach / step) + 1;
-        const int depth = static_cast<int>(opening_layers * setup.lattice.spacing / step) + 4;
-        const Vec3 e_1 = std::abs(end.outward.z) < 0.5 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
-        const Vec3 e_2 = cross(end.outward, e_1);
-        for (int i = -n; i <= n; ++i) {
-            for (int j = -n; j <= n; ++j) {
-                for (int k = -2; k <= depth; ++k) {
-                    mark_around(end.center +
-                                    step * (static_cast<double>(i) * e_1 + static_cast<double>(j) * e_2 +
-                                            static_cast<double>(k) * end.outward),
-                                near_opening);
                 }
             }
         }

@@ -93,13 +93,15 @@ Constants<Real> make_constants(const Scenario& s, const Setup& setup)
     c.omega = real(s.pressure.relaxation);
     c.blow_up_ratio = real(s.pressure.blow_up_density_ratio);
     c.impact_band = real(s.rupture.impact_band_spacings * setup.lattice.spacing);
-    c.probe_depth = real(s.controller.probe_depth_spacings) * c.dx;
-    c.piston_reach = real(s.controller.piston_reach_spacings) * c.dx;
-    c.closest_entry = real(s.controller.closest_entry_spacings) * c.dx;
+    c.refill_distance = real(s.controller.refill_distance_spacings * setup.lattice.spacing);
     c.open_end = real(r_0);
     c.recycle_distance = real(s.rupture.recycle_distance_radii * r_0);
     c.breach_radius = real(s.rupture.breach_radius_radii * r_0);
-    c.p_outlet = s.outlet.pressure_pa;
+    c.p_const = s.outlet.pressure_pa;
+    c.profile = s.inlet.profile;
+    c.rebounds = s.collision.rebound == Rebound::elastic;
+    c.corrects_density = c.model == PressureModel::dfsph && s.pressure.density_correction > 0;
+    c.balances_gravity = setup.vessel.is_open(1);
     return c;
 }
 

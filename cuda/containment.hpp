@@ -8,28 +8,20 @@
 namespace aneurysm::device
 {
 
-/// The piston, held-back outlets, Fig. 1, and the way out through the breach.
+/// Fig. 1, and the way out through the breach.
 template <class Real>
 struct ContainBlood {
     Fields<Real> f;
 
     ANEURYSM_HD void operator()(Index id) const
     {
-        if (f.kind[id] != Kind::fluid) {
-            return;
+        if (f.kind[id] == Kind::fluid) {
+            Vec3T<Real> x = f.position[id].vector();
+            Vec3T<Real> v = f.velocity[id].vector();
+            handle_collision(id, x, v);
+            f.position[id] = row(x, Real(0));
+            f.velocity[id] = row(v, Real(0));
         }
-        const Scene& s = *f.scene;
-        Vec3T<Real> x = f.position[id].vector();
-        Vec3T<Real> v = f.velocity[id].vector();
-        push_as_piston(f, static_cast<Real>(s.inlet_velocity), x, v);
-        for (Index k = 1; k <= 2; ++k) {
-            if (s.outlet_velocity[k - 1] < 0) {
-                hold_back(f, k, x, v);
-            }
-        }
-        handle_collision(id, x, v);
-        f.position[id] = row(x, Real(0));
-        f.velocity[id] = row(v, Real(0));
     }
 
 private:
@@ -51,7 +43,9 @@ private:
         f.event[id] += bit(collided);
         for (int k = 0; k < guards::collision_attempts && d.value > 0; ++k) {
             const Real slope = length(d.gradient);
-            collide(x, v, d.value / slope, d.gradient / slope);
+            Vec3T<Real> turned = v;
+            collide(x, turned, d.value / slope, d.gradient / slope);
+            v = f.c.rebounds ? turned : v;
             d = f.c.vessel.wall(x, R);
         }
         f.event[id] += d.value > guards::outside<Real> * f.c.dx ? bit(outside) : 0;

@@ -3,7 +3,7 @@
 // same exchange as in reference/controller.hpp, with prefix sums in the place of its loops.
 #pragma once
 
-#include "common/vessel/initial_state.hpp"
+#include "common/particles.hpp"
 #include "common/vessel/sampling.hpp"
 #include "cuda/boundary.hpp"
 #include "cuda/fields.hpp"
@@ -12,11 +12,11 @@
 namespace aneurysm::device
 {
 
-ANEURYSM_HD constexpr Kind ghost_kind(Index k)
+ANEURYSM_HD constexpr Kind buffer_kind(Index k)
 {
     return k == 0 ? Kind::inlet : k == 1 ? Kind::outlet_1 : Kind::outlet_2;
 }
-/// The open end that a ghost of this kind belongs to, else -1.
+/// The open end whose buffer blood of this kind is in, else -1.
 ANEURYSM_HD constexpr Index open_end(Kind kind)
 {
     return kind == Kind::inlet ? 0 : kind == Kind::outlet_1 ? 1 : kind == Kind::outlet_2 ? 2 : -1;
@@ -42,13 +42,6 @@ ANEURYSM_HD bool is_beyond(const Fields<Real>& f, const Vec3T<Real>& x, Real lim
     }
     return any && opening(f, nearest_tube(f, x)).beyond(x) > limit;
 }
-/// From a ghost to the place a whole slab behind it [m].
-template <class Real>
-ANEURYSM_HD Vec3T<Real> behind(const Fields<Real>& f, Index k)
-{
-    return static_cast<Real>(opening_layers) * f.c.dx * opening(f, k).outward;
-}
-
 /// What may happen to a particle in a step; its event word has a bit for each.
 enum Event : Index {
     recycled,
@@ -57,7 +50,6 @@ enum Event : Index {
     left_at_inlet,
     left_at_outlet,
     escaped,
-    missed,
     collided,
     outside,
     event_count
@@ -67,232 +59,176 @@ ANEURYSM_HD constexpr Index bit(Event event)
     return 1 << event;
 }
 
-/// Blood before the outlets, to the probe's depth.
-struct OutletProbe {
+/// Outward velocities of the outlets' buffers, summed up.
+struct BufferSums {
     double velocity[2] = {0, 0};
-    double pressure[2] = {0, 0};
     double count[2] = {0, 0};
 
-    ANEURYSM_HD OutletProbe& operator+=(const OutletProbe& b)
+    ANEURYSM_HD BufferSums& operator+=(const BufferSums& b)
     {
         for (int k = 0; k < 2; ++k) {
             velocity[k] += b.velocity[k];
-            pressure[k] += b.pressure[k];
             count[k] += b.count[k];
         }
         return *this;
     }
+    /// Of outlet k, 1 or 2; 0 when its buffer is empty [m/s]
+    ANEURYSM_HD double mean(int k) const { return count[k - 1] > 0 ? velocity[k - 1] / count[k - 1] : 0; }
 };
 template <class Real>
-struct ProbeOutlets {
+struct SumUpBuffers {
     Fields<Real> f;
 
-    ANEURYSM_HD OutletProbe operator()(Index id) const
+    ANEURYSM_HD BufferSums operator()(Index id) const
     {
-        OutletProbe probe;
-        const Vec3T<Real> x = f.position[id].vector();
-        for (Index k = 1; k <= 2 && f.kind[id] == Kind::fluid; ++k) {
-            if (opening(f, k).beyond(x) > -f.c.probe_depth && nearest_tube(f, x) == k) {
-                const Real v = dot(f.velocity[id].vector(), opening(f, k).outward);
-                probe.velocity[k - 1] = static_cast<double>(v);
-                probe.pressure[k - 1] = f.pressure[id] > 0 ? static_cast<double>(f.pressure[id]) : 0;
-                probe.count[k - 1] = 1;
-            }
+        BufferSums sums;
+        const Index k = open_end(f.kind[id]);
+        if (k > 0) {
+            sums.velocity[k - 1] = static_cast<double>(dot(f.velocity[id].vector(), opening(f, k).outward));
+            sums.count[k - 1] = 1;
         }
-        return probe;
+        return sums;
     }
 };
 
-/// This step's velocities of the three slabs, and which of them turn inwards and start from their pattern.
+/// This step's velocities at the open ends.
 template <class Real>
 struct DriveOpenings {
     Fields<Real> f;
-    const OutletProbe* probe;
+    const BufferSums* buffers;
 
     ANEURYSM_HD void operator()() const
     {
         Scene& s = *f.scene;
-        const StepInput& input = f.inputs[f.step];
-        s.inlet_velocity = input.inlet_velocity;
-        s.resets[0] = s.inlet_velocity >= 0 && input.inlet_before < 0 ? 1 : 0;
-        for (int k = 0; k < 2; ++k) {
-            const double previous = s.outlet_velocity[k];
-            s.outlet_was[k] = previous;
-            s.outlet_velocity[k] = slab_velocity(k, previous);
-            s.resets[k + 1] = s.outlet_velocity[k] < 0 && previous >= 0 ? 1 : 0;
+        s.record.inlet_velocity = f.inputs[f.step].inlet_velocity;
+        for (int k = 1; k <= 2; ++k) {
+            s.outlet_velocity[k - 1] = buffers->mean(k);
         }
-        s.resetting = s.resets[0] + s.resets[1] + s.resets[2] > 0 ? 1 : 0;
-        s.record.inlet_velocity = s.inlet_velocity;
         s.record.outlet_velocity = 0.5 * (s.outlet_velocity[0] + s.outlet_velocity[1]);
+    }
+};
+
+/// (25) at a place in the inlet's buffer [m/s]
+template <class Real>
+ANEURYSM_HD Vec3T<Real> inlet_velocity_of(const Fields<Real>& f, const Vec3T<Real>& x)
+{
+    const OpeningT<Real>& inlet = opening(f, 0);
+    const Vec3T<Real> d = x - inlet.center;
+    const Vec3T<Real> across = d - dot(d, inlet.outward) * inlet.outward;
+    const auto v = static_cast<Real>(f.inputs[f.step].inlet_velocity);
+    return -v * inlet_profile(f.c.profile, dot(across, across), inlet.radius) * inlet.outward;
+}
+
+/// Gives the inlet's buffer its velocity.
+template <class Real>
+struct DriveInlet {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index id) const
+    {
+        if (f.kind[id] == Kind::inlet) {
+            f.velocity[id] = row(inlet_velocity_of(f, f.position[id].vector()), Real(0));
+        }
+    }
+};
+
+/// What leaves a buffer at its far end joins the reserve, what has crossed an end plane the blood on its other side.
+template <class Real>
+struct CrossOpenings {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index id) const
+    {
+        leave_buffer(id);
+        leave_artery(id);
+        f.in_reserve[id] = f.kind[id] == Kind::reserve ? 1 : 0;
     }
 
 private:
-    /// v' = v + dt (p - p_outlet) / (rho_0 D), see reference/controller.hpp.
-    ANEURYSM_HD double slab_velocity(int k, double previous) const
+    ANEURYSM_HD void leave_buffer(Index id) const
     {
-        const double count = probe->count[k];
-        if (!(count > 0)) {
-            return previous;
-        }
-        const auto rho_0 = static_cast<double>(f.c.rho_0);
-        const double depth = opening_layers * static_cast<double>(f.c.dx);
-        const double p_outlet = outlet_pressure(f.c.p_outlet, rho_0, previous);
-        return probe->velocity[k] / count +
-               static_cast<double>(f.c.dt) * (probe->pressure[k] / count - p_outlet) / (rho_0 * depth);
-    }
-};
-
-/// The slab that is put back next.
-ANEURYSM_HD inline Index next_reset(const Scene& s)
-{
-    return s.resets[0] > 0 ? 0 : s.resets[1] > 0 ? 1 : 2;
-}
-
-/// All ghosts of a slab that is put back go to the reserve; flags what is in it.
-template <class Real>
-struct EmptySlab {
-    Fields<Real> f;
-
-    ANEURYSM_HD void operator()(Index id) const
-    {
-        if (f.kind[id] == ghost_kind(next_reset(*f.scene))) {
-            f.kind[id] = Kind::reserve;
-        }
-        f.flag[id] = f.kind[id] == Kind::reserve ? 1 : 0;
-    }
-};
-/// The first of the reserve take the places of the pattern.
-template <class Real>
-struct FillSlab {
-    Fields<Real> f;
-
-    ANEURYSM_HD void operator()(Index id) const
-    {
-        const Index k = next_reset(*f.scene);
-        const Index place = f.pattern_begin[k] + f.rank[id];
-        if (f.flag[id] == 1 && place < f.pattern_begin[k + 1]) {
-            f.kind[id] = ghost_kind(k);
-            f.position[id] = f.pattern[place];
-            f.velocity[id] = {0, 0, 0, 0};
-        }
-    }
-};
-template <class Real>
-struct FinishReset {
-    Fields<Real> f;
-
-    ANEURYSM_HD void operator()() const
-    {
-        Scene& s = *f.scene;
-        const Index k = next_reset(s);
-        const Index wanted = f.pattern_begin[k + 1] - f.pattern_begin[k];
-        const Index available = f.rank[f.c.particles];
-        s.ledger.missed += wanted > available ? wanted - available : 0;
-        s.resets[k] = 0;
-        s.resetting = s.resets[0] + s.resets[1] + s.resets[2] > 0 ? 1 : 0;
-    }
-};
-
-/// Gives the slabs their velocities: the inlet's (25), an outlet's as in reference/controller.hpp.
-template <class Real>
-struct DriveSlabs {
-    Fields<Real> f;
-
-    ANEURYSM_HD void operator()(Index id) const
-    {
-        const Scene& s = *f.scene;
         const Index k = open_end(f.kind[id]);
         if (k < 0) {
             return;
         }
-        const Vec3T<Real> outward = opening(f, k).outward;
-        if (k == 0) {
-            f.velocity[id] = row(static_cast<Real>(-s.inlet_velocity) * outward, Real(0));
-            return;
+        const Real beyond = opening(f, k).beyond(f.position[id].vector());
+        if (beyond > static_cast<Real>(opening_layers) * f.c.dx) {
+            f.kind[id] = Kind::reserve;
+            f.event[id] += bit(recycled);
+        } else if (beyond <= 0) {
+            f.kind[id] = Kind::fluid;
+            f.pressure[id] = k == 0 ? static_cast<Real>(unset_pressure) : f.pressure[id];
+            f.event[id] += bit(k == 0 ? entered_at_inlet : entered_at_outlet);
         }
-        const double v = s.outlet_velocity[k - 1];
-        const Real own = dot(f.velocity[id].vector(), outward) + static_cast<Real>(v - s.outlet_was[k - 1]);
-        const Real speed = v > 0 ? (own > 0 ? own : 0) : static_cast<Real>(v);
-        f.velocity[id] = row(speed * outward, Real(0));
+    }
+    ANEURYSM_HD void leave_artery(Index id) const
+    {
+        const Vec3T<Real> x = f.position[id].vector();
+        if (f.kind[id] == Kind::fluid && is_beyond(f, x, Real(0))) {
+            const Index k = nearest_tube(f, x);
+            f.kind[id] = buffer_kind(k);
+            f.event[id] += bit(k == 0 ? left_at_inlet : left_at_outlet);
+        }
     }
 };
 
-/// Blood within the piston's reach of the inlet plane is not slower than
-/// a forward-moving inlet, and doesn't cross it backwards.
+/// The velocities with which the buffers are filled.
 template <class Real>
-ANEURYSM_HD void push_as_piston(const Fields<Real>& f, Real v_inlet, Vec3T<Real>& x, Vec3T<Real>& v)
-{
-    const OpeningT<Real>& inlet = opening(f, 0);
-    const Real beyond = inlet.beyond(x);
-    if (v_inlet < 0 || beyond < -f.c.piston_reach) {
-        return;
+struct BeginFill {
+    Fields<Real> f;
+    const BufferSums* buffers;
+
+    ANEURYSM_HD void operator()() const
+    {
+        Scene& s = *f.scene;
+        s.fill_velocity[0] = -f.inputs[f.step].inlet_velocity;
+        s.fill_velocity[1] = buffers->mean(1);
+        s.fill_velocity[2] = buffers->mean(2);
     }
-    const Real lacking = v_inlet + dot(v, inlet.outward);
-    v -= (lacking > 0 ? lacking : Real(0)) * inlet.outward;
-    x -= (beyond > 0 ? beyond : Real(0)) * inlet.outward;
+};
+
+/// The buffer that a place of the pattern belongs to.
+template <class Real>
+ANEURYSM_HD Index buffer_of(const Fields<Real>& f, Index place)
+{
+    return place < f.pattern_begin[1] ? 0 : place < f.pattern_begin[2] ? 1 : 2;
 }
 
-/// While outlet k's slab moves inwards, blood doesn't cross its plane outwards.
+/// Places in the far layers of buffers that don't move outwards, with no blood of the buffer near.
 template <class Real>
-ANEURYSM_HD void hold_back(const Fields<Real>& f, Index k, Vec3T<Real>& x, Vec3T<Real>& v)
-{
-    const OpeningT<Real>& end = opening(f, k);
-    const Real beyond = end.beyond(x);
-    if (beyond > 0 && nearest_tube(f, x) == k) {
-        x -= beyond * end.outward;
-        const Real outward = dot(v, end.outward);
-        v -= (outward > 0 ? outward : Real(0)) * end.outward;
-    }
-}
-
-/// Whether blood is too near to ghost `id`, now that all have moved. The cells are those from
-/// before the move, which is shorter than what they let a particle see.
-template <class Real>
-ANEURYSM_HD bool is_taken(const Fields<Real>& f, Index id)
-{
-    const Vec3T<Real> x = f.position[id].vector();
-    const Real reach = f.c.closest_entry;
-    bool taken = false;
-    const auto look = [&](Range range) {
-        for (Index s = range.begin; s < range.end; ++s) {
-            const Index other = f.order[s];
-            const Vec3T<Real> d = shortest(f.position[other].vector() - x, f.c.vessel.period());
-            taken = taken || (f.kind[other] == Kind::fluid && length(d) < reach);
-        }
-    };
-    if (f.c.is_periodic) {
-        for_each_row<true>(f.c.grid, x, f.start, look);
-    } else {
-        for_each_row<false>(f.c.grid, x, f.start, look);
-    }
-    return taken;
-}
-
-/// What leaves a slab at its far side joins the reserve; what has crossed the plane inwards is marked.
-template <class Real>
-struct MarkExchange {
+struct FindPlaces {
     Fields<Real> f;
 
-    ANEURYSM_HD void operator()(Index id) const
+    ANEURYSM_HD void operator()(Index place) const
     {
-        const Index k = open_end(f.kind[id]);
-        f.entering[id] = 0;
-        if (k >= 0) {
-            const Real beyond = opening(f, k).beyond(f.position[id].vector());
-            if (beyond > static_cast<Real>(opening_layers) * f.c.dx) {
-                f.kind[id] = Kind::reserve;
-                f.event[id] += bit(recycled);
-            } else if (beyond <= 0) {
-                if (is_taken(f, id)) {
-                    f.position[id] = row(f.position[id].vector() + behind(f, k), Real(0));
-                } else {
-                    f.entering[id] = 1;
-                }
+        const Index k = buffer_of(f, place);
+        const Vec3T<Real> x = f.pattern[place].vector();
+        const bool is_far = opening(f, k).beyond(x) > static_cast<Real>(opening_layers - 1) * f.c.dx;
+        const bool fills = !(f.scene->fill_velocity[k] > 0);
+        f.to_fill[place] = fills && is_far && is_free_place(k, x) ? 1 : 0;
+    }
+
+private:
+    /// The cells are those from before the move, which is shorter than what they let a place see.
+    ANEURYSM_HD bool is_free_place(Index k, const Vec3T<Real>& x) const
+    {
+        bool is_free = true;
+        const auto look = [&](Range range) {
+            for (Index s = range.begin; s < range.end; ++s) {
+                const Index id = f.order[s];
+                const Vec3T<Real> d = shortest(f.position[id].vector() - x, f.c.vessel.period());
+                is_free = is_free && !(f.kind[id] == buffer_kind(k) && length(d) < f.c.refill_distance);
             }
+        };
+        if (f.c.is_periodic) {
+            for_each_row<true>(f.c.grid, x, f.start, look);
+        } else {
+            for_each_row<false>(f.c.grid, x, f.start, look);
         }
-        f.flag[id] = f.kind[id] == Kind::reserve ? 1 : 0;
+        return is_free;
     }
 };
+
 /// The reserve as a list, lowest id first.
 template <class Real>
 struct ListReserve {
@@ -300,52 +236,32 @@ struct ListReserve {
 
     ANEURYSM_HD void operator()(Index id) const
     {
-        if (f.flag[id] == 1) {
-            f.reserve[f.rank[id]] = id;
+        if (f.in_reserve[id] == 1) {
+            f.reserve[f.reserve_rank[id]] = id;
         }
     }
 };
-/// What enters becomes blood, and the next of the reserve takes its place a slab behind it.
+
+/// The first of the reserve take the places.
 template <class Real>
-struct EnterArtery {
+struct FillPlaces {
     Fields<Real> f;
 
-    ANEURYSM_HD void operator()(Index id) const
+    ANEURYSM_HD void operator()(Index place) const
     {
-        if (f.entering[id] == 0) {
+        if (f.to_fill[place] == 0 || f.fill_rank[place] >= f.reserve_rank[f.c.particles]) {
             return;
         }
-        const Kind kind = f.kind[id];
-        const Index k = open_end(kind);
-        f.kind[id] = Kind::fluid;
-        f.pressure[id] = static_cast<Real>(unset_pressure);
-        f.event[id] += bit(k == 0 ? entered_at_inlet : entered_at_outlet);
-        if (f.entry_rank[id] >= f.rank[f.c.particles]) {
-            f.event[id] += bit(missed);
-            return;
-        }
-        const Index next = f.reserve[f.entry_rank[id]];
-        f.kind[next] = kind;
-        f.position[next] = row(f.position[id].vector() + behind(f, k), Real(0));
-        f.velocity[next] = f.velocity[id];
-    }
-};
-/// Blood that has crossed an end plane outwards joins its slab.
-template <class Real>
-struct CrossOpenings {
-    Fields<Real> f;
-
-    ANEURYSM_HD void operator()(Index id) const
-    {
-        if (f.kind[id] != Kind::fluid) {
-            return;
-        }
-        const Vec3T<Real> x = f.position[id].vector();
-        if (is_beyond(f, x, Real(0))) {
-            const Index k = nearest_tube(f, x);
-            f.kind[id] = ghost_kind(k);
-            f.event[id] += bit(k == 0 ? left_at_inlet : left_at_outlet);
-        }
+        const Index k = buffer_of(f, place);
+        const Index id = f.reserve[f.fill_rank[place]];
+        const Vec3T<Real> x = f.pattern[place].vector();
+        const auto v = static_cast<Real>(f.scene->fill_velocity[k]);
+        f.kind[id] = buffer_kind(k);
+        f.position[id] = row(x, Real(0));
+        f.velocity[id] = row(k == 0 ? inlet_velocity_of(f, x) : v * opening(f, k).outward, Real(0));
+        f.pressure[id] = 0;
+        f.kappa[id] = 0;
+        f.drift[id] = 0;
     }
 };
 
@@ -374,23 +290,25 @@ struct CountEvents {
         return c;
     }
 };
+template <class Real>
 struct KeepLedger {
-    Scene* scene;
+    Fields<Real> f;
     const EventCounts* events;
 
     ANEURYSM_HD void operator()() const
     {
         const Index* c = events->counts;
-        Ledger& l = scene->ledger;
+        Ledger& l = f.scene->ledger;
         l.recycled += c[recycled];
         l.inlet_in += c[entered_at_inlet];
         l.outlet_in += c[entered_at_outlet];
         l.inlet_out += c[left_at_inlet];
         l.outlet_out += c[left_at_outlet];
         l.escaped += c[escaped];
-        l.missed += c[missed];
-        scene->record.collisions += c[collided];
-        scene->record.outside = c[outside];
+        const Index lacking = f.fill_rank[f.places()] - f.reserve_rank[f.c.particles];
+        l.missed += lacking > 0 ? lacking : 0;
+        f.scene->record.collisions += c[collided];
+        f.scene->record.outside = c[outside];
     }
 };
 

@@ -60,13 +60,15 @@ struct Constants {
     Real omega = 0; ///< of the pressure's iteration
     Real blow_up_ratio = 0;
     Real impact_band = 0;      ///< [m]
-    Real probe_depth = 0;      ///< before an outlet: its slab moves with the blood in there [m]
-    Real piston_reach = 0;     ///< before the inlet: its slab pushes the blood in there [m]
-    Real closest_entry = 0;    ///< between blood and a ghost that may become blood [m]
+    Real refill_distance = 0;  ///< a place in a buffer's far layer is filled where blood is farther away [m]
     Real open_end = 0;         ///< nearer to an open end than this is not interior [m]
     Real recycle_distance = 0; ///< [m]
     Real breach_radius = 0;    ///< [m]
-    double p_outlet = 0;       ///< p_const [Pa]
+    double p_const = 0;        ///< of (26) [Pa]
+    InletProfile profile = InletProfile::plug;
+    bool rebounds = false;         ///< elastically, Fig. 1; else only the place changes
+    bool corrects_density = false; ///< else only the velocity's divergence is kept
+    bool balances_gravity = false; ///< by the pressure of blood at rest, while the wall is whole
 
     static constexpr Real far_away = 1e6; ///< [m]
 
@@ -95,36 +97,31 @@ struct Scene {
     double outlet_velocity[2]; ///< outward [m/s]
 
     FrameRecord record;
-    double inlet_velocity;     ///< (25), of this step [m/s]
-    double outlet_was[2];      ///< outlet_velocity before this step [m/s]
-    Index resets[3];           ///< slabs to be put back into their pattern
-    Index resetting;           ///< 1: there are some left
-    double solve_t;            ///< the momentum's sequence, see (3)
-    double solve_theta;        ///< its factor
-    double density_correction; ///< beta
-    Index solving;             ///< 1: (3) is not met yet
+    double fill_velocity[3]; ///< of the open ends' buffers as they are filled, outward [m/s]
+    double solve_t;          ///< the momentum's sequence, see (3)
+    double solve_theta;      ///< its factor
+    Index solving;           ///< 1: (3) is not met yet
     Index solve_iterations;
-    Index max_iterations;
     Fault fault;
     Index fault_particle;
     double fault_value;
-    Index free_blocks; ///< that the lists of this frame wanted, at most in one step
-    Index ghost_blocks;
+    Index blood_blocks; ///< that the lists of this frame wanted, at most in one step
+    Index wall_blocks;
 };
 
 /// What the host hands over for each flow step: what needs a sine.
 struct StepInput {
-    double inlet_before;   ///< (25) at the start of the step [m/s]
-    double inlet_velocity; ///< and at its end [m/s]
+    double inlet_velocity; ///< (25) at the end of the step [m/s]
+    double level;          ///< of the pressure while the wall is whole [Pa]
     Vec3 gravity;          ///< the body force g at the end of the step [m/s^2]
 };
 
-/// What is known of a cell once and for all: which ghosts can be seen from it, and that no place in it is
-/// within the impact band of the wall or beyond it, however small the sac.
-enum CellProperty : Index { near_wall = 1, near_opening = 2, deep_inside = 4 };
+/// What is known of a cell once and for all: that the wall's ghosts can be seen from it, and that no place in it
+/// is within the impact band of the wall or beyond it, however small the sac.
+enum CellProperty : Index { near_wall = 1, deep_inside = 2 };
 
-/// All arrays in device memory. `id`: by a particle's identity, through the whole run; `sorted`: by the order
-/// of cells, free particles first, then ghosts of the open ends, then the reserve.
+/// All arrays in device memory. `id`: by a particle's identity, through the whole run; `sorted`: blood by the
+/// order of cells, then the reserve.
 template <class Real>
 struct Fields {
     Constants<Real> c;
@@ -136,66 +133,84 @@ struct Fields {
     Row<Real>* position = nullptr; ///< w: not used [m]
     Row<Real>* velocity = nullptr; ///< w: not used [m/s]
     Real* pressure = nullptr;      ///< [Pa]
+    Real* kappa = nullptr;         ///< potential of the density's correction [Pa]
+    Real* drift = nullptr;         ///< what the last straight ways added to the density [kg/m^3]
     Kind* kind = nullptr;
     Real* density = nullptr;         ///< [kg/m^3]
     Real* solved_pressure = nullptr; ///< [flow steps * particles] [Pa]
+    Real* solved_kappa = nullptr;    ///< the same [Pa]
     Index* event = nullptr;          ///< what the controller did, a bit for each Event
 
     // bodies: particles, sorted; the null body; the wall's ghosts, by cell
     Row<Real>* body_position = nullptr; ///< w: mass [m, kg]
-    Row<Real>* body_velocity = nullptr; ///< w: density of what is free, (26)'s pressure of ghosts
+    Row<Real>* body_velocity = nullptr; ///< w: density of blood; of a wall's ghost that of (27)
     Real* body_x = nullptr; ///< the same places again, for the search; massless walls are far away
     Real* body_y = nullptr;
     Real* body_z = nullptr;
-    Index* is_mirror = nullptr; ///< 1: a ghost with its neighbor's pressure
 
     // sorted, [particles + 1]
     Index* key = nullptr;
     Index* sorted_key = nullptr;
     Index* order = nullptr;               ///< id
-    Index* start = nullptr;               ///< [2 * cells + 2] first body of each key
+    Index* start = nullptr;               ///< [cells + 2] first body of each key
+    Index* is_driven = nullptr;           ///< 1: moves with (25)
+    Real* body_drift = nullptr;           ///< `drift`
     const Index* wall_start = nullptr;    ///< [cells + 1]
     const Index* cell_property = nullptr; ///< [cells] a sum of CellProperty
     const Row<Real>* wall_position =
         nullptr; ///< [walls] by cell; w: mass where the sac doesn't reach, else -1
-    Lists free{};
-    Lists ghosts{};
-    Real* gradient = nullptr; ///< m_j grad W_ij of free neighbors, [24 * blocks]; null: computed when needed
-    Row<Real>* ghost_gradient = nullptr;  ///< sum of m_j grad W_ij over ghosts; w: sum of m_j grad W_ij . v_j
+    Lists blood{};
+    Lists walls{};
+    Real* gradient = nullptr; ///< m_j grad W_ij of blood, [24 * blocks]; null: computed when needed
+    Row<Real>* blood_gradient = nullptr;  ///< sum of m_j grad W_ij over blood; w: sum of their squares
+    Row<Real>* wall_gradient = nullptr;   ///< the same over the wall's ghosts; w: squares of free blood alone
+    Row<Real>* driven_gradient = nullptr; ///< the same over driven blood; w: sum of m_j grad W_ij . v_j
     Row<Real>* force = nullptr;           ///< (7) [N/m^3]
     Row<Real>* acceleration = nullptr;    ///< of the blood's own pressure [m/s^2]
     Row<Real>* solved_velocity = nullptr; ///< at the end of the step [m/s]
-    Real* p = nullptr;                    ///< where (3) is evaluated [Pa]
-    Real* p_old = nullptr;                ///< before the momentum [Pa]
-    Real* alpha = nullptr;                ///< DFSPH factor
-    Real* source = nullptr;               ///< the density's part of (3) [kg/(m^3 s)]
-    Real* response = nullptr;             ///< pressure that an iteration answers a residual with [m^2/s]
-    Real* rate = nullptr;                 ///< Drho/Dt
-    Real* impact = nullptr;               ///< [N]; -1: doesn't touch the sac
+    Row<Real>* correction = nullptr;      ///< what the density's correction moves by in dt [m/s]
+
+    // of a solve of (3), sorted, [particles + 1]
+    Real* p = nullptr;            ///< where (3) is evaluated [Pa]
+    Real* p_old = nullptr;        ///< before the momentum [Pa]
+    Real* lowest = nullptr;       ///< that p may be [Pa]
+    Real* alpha = nullptr;        ///< DFSPH factor
+    Real* source = nullptr;       ///< the part of (3) that the velocity doesn't change [kg/(m^3 s)]
+    Real* response = nullptr;     ///< pressure that an iteration answers a residual with [m^2/s]
+    Real* rate = nullptr;         ///< Drho/Dt [kg/(m^3 s)]
+    Row<Real>* mirrors = nullptr; ///< what given bodies add to the gradient at i, beyond their place in the
+                                  ///< lists; w: sum of the same times v_j
+    Index* is_given = nullptr;    ///< 1: no unknown of this solve
+    Real* impact = nullptr;       ///< [N]; -1: doesn't touch the sac
     Real* impact_eos = nullptr;
 
     // the controller's
-    const Row<Real>* pattern = nullptr; ///< the three slabs as sampled
+    const Row<Real>* pattern = nullptr; ///< the three buffers as sampled
     Index pattern_begin[4] = {0, 0, 0, 0};
-    Index* flag = nullptr;       ///< [particles]
-    Index* rank = nullptr;       ///< [particles + 1]
-    Index* entering = nullptr;   ///< [particles] 1: becomes blood; shares its memory with sorted_key
-    Index* entry_rank = nullptr; ///< [particles + 1]
-    Index* reserve = nullptr;    ///< [particles] ids
+    Index* in_reserve = nullptr;   ///< [particles] 1: yes; shares its memory with key
+    Index* reserve_rank = nullptr; ///< [particles + 1]
+    Index* reserve = nullptr;      ///< [particles] ids
+    Index* to_fill = nullptr;      ///< [places of the pattern] 1: yes
+    Index* fill_rank = nullptr;    ///< [places of the pattern + 1]
 
-    /// g of (1) in this step [m/s^2]
+    ANEURYSM_HD bool is_whole() const { return scene->aneurysm.phase != Phase::ruptured; }
+    /// g of (1) in this step: what the pressure of blood at rest doesn't balance [m/s^2]
     ANEURYSM_HD Vec3T<Real> gravity() const
     {
         const Vec3& g = inputs[step].gravity;
-        return {static_cast<Real>(g.x), static_cast<Real>(g.y), static_cast<Real>(g.z)};
+        return c.balances_gravity && is_whole()
+                   ? Vec3T<Real>{}
+                   : Vec3T<Real>{static_cast<Real>(g.x), static_cast<Real>(g.y), static_cast<Real>(g.z)};
     }
+    /// Of the pressure, see reference::Flow::level [Pa]
+    ANEURYSM_HD double level() const { return is_whole() ? inputs[step].level : c.p_const; }
+    ANEURYSM_HD Index places() const { return pattern_begin[3]; }
     ANEURYSM_HD bool has(const Vec3T<Real>& x, CellProperty property) const
     {
         return (cell_property[c.grid.cell(x)] & property) != 0;
     }
-    /// Sorted bodies that are free, and that take part at all.
-    ANEURYSM_HD Index free_count() const { return start[c.grid.cells()]; }
-    ANEURYSM_HD Index active_count() const { return start[2 * c.grid.cells()]; }
+    /// Sorted bodies that are blood; behind them the reserve.
+    ANEURYSM_HD Index blood_count() const { return start[c.grid.cells()]; }
 };
 
 } // namespace aneurysm::device

@@ -11,7 +11,7 @@ namespace aneurysm::device
 
 inline constexpr Index no_particle = 0x7fffffff;
 
-/// Density (5), the DFSPH factor, and what ghosts add to (2), to the pressure's acceleration and by (26).
+/// Density (5), the sums of gradients that (3) and (26) need, and the mean drift of the density around a particle.
 template <class Real>
 struct Densities {
     Fields<Real> f;
@@ -26,42 +26,51 @@ private:
     ANEURYSM_INLINE void sum_up(Index i, Lane lane) const
     {
         using Number = Lanes<Real>;
+        const Number zero(0);
         Number rho;
+        Number drift;
         Number squares;
-        Vec3T<Number> of_free;
-        for (Index b = f.free.begin[i]; b < f.free.begin[i + 1]; ++b) {
-            const Pairs<Real> pair = pairs<periodic>(f, i, neighbors(f.free, b, lane));
-            const Vec3T<Number> G = gradient(f, pair);
-            rho += density(f, pair);
-            of_free += G;
-            squares += dot(G, G);
-            keep(G, b, lane);
-        }
+        Number squares_of_free;
         Number flux;
-        Vec3T<Number> of_ghosts;
-        Vec3T<Number> outlets;
-        const Number rho_0(f.c.rho_0);
-        for (Index b = f.ghosts.begin[i]; b < f.ghosts.begin[i + 1]; ++b) {
-            const Lanes<Index> j = neighbors(f.ghosts, b, lane);
+        Vec3T<Number> of_blood;
+        Vec3T<Number> of_driven;
+        for (Index b = f.blood.begin[i]; b < f.blood.begin[i + 1]; ++b) {
+            const Lanes<Index> j = neighbors(f.blood, b, lane);
             const Pairs<Real> pair = pairs<periodic>(f, i, j);
             const Vec3T<Number> G = gradient(f, pair);
-            const RowLanes<Real> other = gather_rows(f.body_velocity, j); // w: the outlet's pressure
-            rho += density(f, pair);
-            of_ghosts += G;
-            flux += dot(G, other.vector());
-            outlets += outlet_pressure_force(rho_0, other.w, G);
+            const Number mW = density(f, pair);
+            rho += mW;
+            drift += mW * gather(f.body_drift, j);
+            of_blood += G;
+            squares += dot(G, G);
+            const Mask is_driven = Lanes<Index>(0) < gather(f.is_driven, j);
+            const Vec3T<Number> G_driven{select(is_driven, G.x, zero), select(is_driven, G.y, zero),
+                                         select(is_driven, G.z, zero)};
+            squares_of_free += select(is_driven, zero, dot(G, G));
+            of_driven += G_driven;
+            flux += dot(G_driven, gather_rows(f.body_velocity, j).vector());
+            keep(G, b, lane);
+        }
+        Number rho_of_walls;
+        Vec3T<Number> of_walls;
+        for (Index b = f.walls.begin[i]; b < f.walls.begin[i + 1]; ++b) {
+            const Pairs<Real> pair = pairs<periodic>(f, i, neighbors(f.walls, b, lane));
+            rho_of_walls += density(f, pair);
+            of_walls += gradient(f, pair);
         }
         const Real own = f.c.mass * first(f.c.kernel.value(Number(0)));
-        const Real total = sum(rho, lane) + own;
-        const Vec3T<Real> ghosts = sum(of_ghosts, lane);
-        const Real alpha = dfsph_factor(sum(of_free, lane) + ghosts, sum(squares, lane));
-        const Real ghost_flux = sum(flux, lane);
-        const Vec3T<Real> F_outlets = sum(outlets, lane);
+        const Real blood = sum(rho, lane) + own;
+        const Real total = blood + sum(rho_of_walls, lane);
+        const Real mean_drift = (sum(drift, lane) + own * f.body_drift[i]) / blood;
+        const Row<Real> blood_gradient = row(sum(of_blood, lane), sum(squares, lane));
+        const Row<Real> wall_gradient = row(sum(of_walls, lane), sum(squares_of_free, lane));
+        const Row<Real> driven_gradient = row(sum(of_driven, lane), sum(flux, lane));
         if (lane.is_first()) {
             f.body_velocity[i].w = total;
-            f.alpha[i] = alpha;
-            f.ghost_gradient[i] = row(ghosts, ghost_flux);
-            f.force[i] = row(F_outlets, Real(0));
+            f.source[i] = mean_drift;
+            f.blood_gradient[i] = blood_gradient;
+            f.wall_gradient[i] = wall_gradient;
+            f.driven_gradient[i] = driven_gradient;
         }
     }
     ANEURYSM_INLINE void keep(const Vec3T<Lanes<Real>>& G, Index b, Lane lane) const
@@ -75,7 +84,7 @@ private:
     }
 };
 
-/// Viscosity (7), gravity and, in model dfsph, the outlets' pressure (26): all but the blood's own pressure.
+/// Viscosity (7), the body force and the pressure beyond the outlets (26): all but the blood's own pressure.
 template <class Real>
 struct Forces {
     Fields<Real> f;
@@ -85,14 +94,27 @@ struct Forces {
         const Vec3T<Real> F_viscosity =
             f.c.is_periodic ? viscosity_force<true>(f, i, lane) : viscosity_force<false>(f, i, lane);
         if (lane.is_first()) {
+            const Vec3T<Real> v = f.body_velocity[i].vector();
             const Real rho = f.body_velocity[i].w;
-            const bool outlets = f.c.model == PressureModel::dfsph; // else they take part in (6)
-            const Vec3T<Real> F_outlets = outlets ? f.force[i].vector() : Vec3T<Real>{};
-            const Vec3T<Real> force = momentum_force(rho, f.gravity(), F_viscosity, F_outlets);
+            const Vec3T<Real> force = momentum_force(rho, f.gravity(), F_viscosity, outlet_force(i));
+            const Vec3T<Real> moved = v + f.c.dt * acceleration(rho, force);
             f.force[i] = row(F_viscosity, Real(0));
-            f.solved_velocity[i] =
-                row(f.body_velocity[i].vector() + f.c.dt * acceleration(rho, force), Real(0));
+            f.solved_velocity[i] = row(f.is_driven[i] == 1 ? v : moved, Real(0));
         }
+    }
+
+private:
+    ANEURYSM_HD Vec3T<Real> outlet_force(Index i) const
+    {
+        const Index k = open_end(f.kind[f.order[i]]);
+        if (k < 1) {
+            return {};
+        }
+        const Vec3T<Real> gradient = f.blood_gradient[i].vector() + f.wall_gradient[i].vector();
+        const auto v = static_cast<Real>(f.scene->outlet_velocity[k - 1]);
+        const Real depth = static_cast<Real>(opening_layers) * f.c.dx;
+        return outlet_pressure_force(gradient, f.c.rho_0, static_cast<Real>(f.level())) +
+               inflow_force(f.c.rho_0, v, depth, opening(f, k).outward);
     }
 };
 
@@ -114,14 +136,27 @@ struct AccelerateByState {
 
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
-        const Vec3T<Real> F = pressure_force(f, i, Real(1), lane);
+        const Vec3T<Real> F = pressure_force(f, i, lane);
         if (lane.is_first()) {
             const Real rho = f.body_velocity[i].w;
-            const Vec3T<Real> a = acceleration(rho, F);
-            f.p_old[i] = equation_of_state(f.c.kappa, rho, f.c.rho_0);
+            const Vec3T<Real> a = f.is_driven[i] == 1 ? Vec3T<Real>{} : acceleration(rho, F);
+            f.p[i] = equation_of_state(f.c.kappa, rho, f.c.rho_0);
             f.acceleration[i] = row(a, Real(0));
             f.solved_velocity[i] = row(f.body_velocity[i].vector() + f.c.dt * a, Real(0));
         }
+    }
+};
+
+/// Nothing answers a residual in model `eos`.
+template <class Real>
+struct NoResponse {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index i) const
+    {
+        f.alpha[i] = 0;
+        f.response[i] = 0;
+        f.p_old[i] = f.p[i];
     }
 };
 
@@ -138,6 +173,70 @@ struct RecordDivergence {
     }
 };
 
+/// The pressure of what is free goes back to where it is kept by id.
+template <class Real>
+struct KeepPressure {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index s) const
+    {
+        if (f.is_driven[s] == 0) {
+            f.pressure[f.order[s]] = f.p[s];
+        }
+    }
+};
+
+/// Eq. (5) after all have gone their ways x' - x, over the neighbors that they had before, and what they have
+/// added to it beyond dt Drho/Dt, the drift c_i:
+///
+///     rho*_i = sum_j m_j W(|r_ij + x'_i - x_i - (x'_j - x_j)|)                                 [kg/m^3]
+template <class Real>
+struct PredictDensities {
+    Fields<Real> f;
+
+    ANEURYSM_HD void operator()(Index i, Lane lane) const
+    {
+        f.c.is_periodic ? sum_up<true>(i, lane) : sum_up<false>(i, lane);
+    }
+
+private:
+    template <bool periodic>
+    ANEURYSM_INLINE void sum_up(Index i, Lane lane) const
+    {
+        using Number = Lanes<Real>;
+        const Number dt(f.c.dt);
+        const Vec3T<Number> own_way = dt * all_lanes(f.solved_velocity[i].vector());
+        Number rho;
+        for (Index b = f.blood.begin[i]; b < f.blood.begin[i + 1]; ++b) {
+            const Lanes<Index> j = neighbors(f.blood, b, lane);
+            const Pairs<Real> pair = pairs<periodic>(f, i, j);
+            const Vec3T<Number> way = dt * gather_rows(f.solved_velocity, j).vector();
+            const Vec3T<Number> x = pair.x + own_way - way;
+            rho += pair.m * f.c.kernel.value(sqrt(dot(x, x)));
+        }
+        for (Index b = f.walls.begin[i]; b < f.walls.begin[i + 1]; ++b) {
+            const Pairs<Real> pair = pairs<periodic>(f, i, neighbors(f.walls, b, lane));
+            const Vec3T<Number> x = pair.x + own_way;
+            rho += pair.m * f.c.kernel.value(sqrt(dot(x, x)));
+        }
+        const Real own = f.c.mass * first(f.c.kernel.value(Number(0)));
+        const Real predicted = sum(rho, lane) + own;
+        if (lane.is_first()) {
+            const Real drift = predicted - f.body_velocity[i].w - f.c.dt * f.rate[i];
+            f.drift[f.order[i]] = f.is_driven[i] == 1 ? 0 : drift;
+            f.source[i] = predicted;
+        }
+    }
+};
+
+/// The way of sorted particle s in this step [m]
+template <class Real>
+ANEURYSM_HD Vec3T<Real> moved_by(const Fields<Real>& f, Index s)
+{
+    const Vec3T<Real> way = f.c.dt * f.solved_velocity[s].vector();
+    return f.c.corrects_density ? way + f.c.dt * f.correction[s].vector() : way;
+}
+
 /// Moves all that is not in the reserve, and writes the step's results back by id.
 template <class Real>
 struct MoveParticles {
@@ -146,21 +245,22 @@ struct MoveParticles {
     ANEURYSM_HD void operator()(Index s) const
     {
         const Index id = f.order[s];
-        Vec3T<Real> v = f.velocity[id].vector();
-        f.density[id] = f.c.rho_0;
-        if (s < f.free_count()) {
-            v = f.solved_velocity[s].vector();
-            f.velocity[id] = row(v, Real(0));
-            f.pressure[id] = f.p[s];
-            f.density[id] = f.body_velocity[s].w;
-        }
-        f.solved_pressure[static_cast<std::size_t>(f.step) * static_cast<std::size_t>(f.c.particles) +
-                          static_cast<std::size_t>(id)] = f.pressure[id];
-        if (s < f.active_count()) {
-            const Vec3T<Real> way = f.c.dt * v;
-            f.position[id] = row(f.c.vessel.wrapped(f.position[id].vector() + way), Real(0));
-        }
         f.event[id] = 0;
+        f.density[id] = f.c.rho_0;
+        if (s < f.blood_count()) {
+            const Vec3T<Real> x = f.position[id].vector() + moved_by(f, s);
+            f.kappa[id] = f.c.corrects_density ? f.p[s] : f.kappa[id];
+            f.velocity[id] = row(f.solved_velocity[s].vector(), Real(0));
+            f.density[id] = f.body_velocity[s].w;
+            f.position[id] = row(f.c.vessel.wrapped(x), Real(0));
+        } else if (f.c.corrects_density) {
+            f.kappa[id] = 0;
+            f.drift[id] = 0;
+        }
+        const std::size_t at = static_cast<std::size_t>(f.step) * static_cast<std::size_t>(f.c.particles) +
+                               static_cast<std::size_t>(id);
+        f.solved_pressure[at] = f.pressure[id];
+        f.solved_kappa[at] = f.kappa[id];
     }
 };
 
@@ -174,7 +274,8 @@ struct FlowSums {
     double kinetic_energy = 0; ///< [J]
     double speed_max = 0;      ///< [m/s]
     Index too_dense = no_particle;
-    Index too_fast = no_particle;
+    Index too_far = no_particle;
+    double distance = 0; ///< that the latter moved [m]
 
     ANEURYSM_HD FlowSums& operator+=(const FlowSums& b)
     {
@@ -186,7 +287,8 @@ struct FlowSums {
         kinetic_energy += b.kinetic_energy;
         speed_max = speed_max < b.speed_max ? b.speed_max : speed_max;
         too_dense = b.too_dense < too_dense ? b.too_dense : too_dense;
-        too_fast = b.too_fast < too_fast ? b.too_fast : too_fast;
+        distance = b.too_far < too_far ? b.distance : distance;
+        too_far = b.too_far < too_far ? b.too_far : too_far;
         return *this;
     }
 };
@@ -198,12 +300,11 @@ struct SumUpFlow {
     {
         FlowSums sums;
         const Index id = f.order[s];
-        const Real speed = length(f.velocity[id].vector());
-        if (!(f.c.dt * speed < f.c.kernel.support())) {
-            sums.too_fast = id;
-        }
-        if (s >= f.free_count()) {
-            return sums;
+        const Real speed = length(f.solved_velocity[s].vector());
+        const Real distance = length(moved_by(f, s));
+        if (!(distance < f.c.kernel.support())) {
+            sums.too_far = id;
+            sums.distance = static_cast<double>(distance);
         }
         const Real rho = f.body_velocity[s].w;
         if (!(rho < f.c.blow_up_ratio * f.c.rho_0)) {
@@ -247,9 +348,10 @@ struct RecordFlow {
             scene->fault = Fault::density;
             scene->fault_particle = s.too_dense;
         }
-        if (scene->fault == Fault::none && s.too_fast != no_particle) {
+        if (scene->fault == Fault::none && s.too_far != no_particle) {
             scene->fault = Fault::moved_too_far;
-            scene->fault_particle = s.too_fast;
+            scene->fault_particle = s.too_far;
+            scene->fault_value = s.distance;
         }
     }
 };

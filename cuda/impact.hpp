@@ -24,7 +24,7 @@ struct Impacts {
             }
             return;
         }
-        const Vec3T<Real> F_eos = pressure_force(f, i, Real(0), lane);
+        const Vec3T<Real> F_eos = pressure_force(f, i, lane);
         if (lane.is_first()) {
             const Real rho = f.body_velocity[i].w;
             const Vec3T<Real> g = f.gravity();

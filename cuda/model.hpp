@@ -6,6 +6,7 @@
 #include "cuda/arrays.hpp"
 #include "cuda/deform.hpp"
 #include "cuda/passes.hpp"
+#include "cuda/pressure_level.hpp"
 #include "cuda/settling.hpp"
 #include "cuda/setup.hpp"
 #include "cuda/simulation.hpp"
@@ -28,7 +29,7 @@ public:
           passes_(executor_, scenario_),
           state_(state ? *state : initial_state(scenario, setup_.lattice, setup_.particle_mass))
     {
-        executor_.reserve_sort(n_, 2 * arrays_.fields().c.grid.cells() + 1);
+        executor_.reserve_sort(n_, arrays_.fields().c.grid.cells() + 1);
         arrays_.upload(state_);
         if (!state) {
             upload_input();
@@ -46,8 +47,8 @@ public:
     std::vector<std::pair<std::string, double>> take_profile() override { return executor_.take_profile(); }
     std::pair<std::int64_t, std::int64_t> pairs() const override
     {
-        return {lane_count * std::int64_t{scene_.free_blocks},
-                lane_count * std::int64_t{scene_.ghost_blocks}};
+        return {lane_count * std::int64_t{scene_.blood_blocks},
+                lane_count * std::int64_t{scene_.wall_blocks}};
     }
 
     FrameRecord advance() override
@@ -81,6 +82,10 @@ public:
     {
         return solved_pressure_ = arrays_.solved_pressure();
     }
+    const std::vector<double>& solved_kappa() const override
+    {
+        return solved_kappa_ = arrays_.solved_kappa();
+    }
 
 private:
     using F = Fields<Real>;
@@ -95,12 +100,11 @@ private:
     {
         const auto next = state_.frame + 1;
         const double dt = scenario_.time.frame_s;
-        const double step = dt / static_cast<double>(scenario_.time.substeps);
         std::vector<StepInput> steps;
         for (std::int64_t s = 1; s <= scenario_.time.substeps; ++s) {
             const double part = static_cast<double>(s) / static_cast<double>(scenario_.time.substeps);
             const double t = (static_cast<double>(state_.frame) + part) * dt;
-            steps.push_back({inlet_velocity(scenario_, t - step), inlet_velocity(scenario_, t),
+            steps.push_back({inlet_velocity(scenario_, t), pressure_level(scenario_, setup_.vessel, t),
                              body_force_factor(scenario_, t) * scenario_.fluid.gravity_m_s2});
         }
         arrays_.upload_input({next, static_cast<double>(next) * dt}, steps);
@@ -131,21 +135,18 @@ private:
     {
         const Scene at = scene_;
         std::vector<double> rho = arrays_.density();
-        SimulationState broken;
-        arrays_.download(broken);
         arrays_.restore();
         const auto i = static_cast<std::size_t>(at.fault_particle);
         const std::string frame = "frame " + std::to_string(state_.frame + 1);
         const std::string place = frame + ", particle " + std::to_string(at.fault_particle);
         const std::string advice = "more time.substeps, or a stiffer pressure model";
-        const double dt = scenario_.time.frame_s / static_cast<double>(scenario_.time.substeps);
         switch (at.fault) {
         case Fault::density:
             throw SimulationError(place, "density " + std::to_string(rho[i]) + " kg/m^3: the run blew up",
                                   advice);
         case Fault::moved_too_far:
             throw SimulationError(place,
-                                  "it moves by " + std::to_string(dt * length(broken.particles.velocity[i])) +
+                                  "it moves by " + std::to_string(at.fault_value) +
                                       " m in one step, more than it can see: the run blew up",
                                   advice);
         default:
@@ -169,6 +170,7 @@ private:
     mutable bool stale_ = false;
     mutable std::vector<double> density_;
     mutable std::vector<double> solved_pressure_;
+    mutable std::vector<double> solved_kappa_;
 };
 
 } // namespace aneurysm::device

@@ -9,8 +9,7 @@
 namespace aneurysm::device
 {
 
-/// The key that particles are sorted by: free ones by cell,
-/// then ghosts of the open ends by cell, then the reserve.
+/// The key that particles are sorted by: blood by cell, then the reserve.
 template <class Real>
 struct Keys {
     Fields<Real> f;
@@ -18,9 +17,7 @@ struct Keys {
     ANEURYSM_HD void operator()(Index id) const
     {
         const Index cells = f.c.grid.cells();
-        const Kind kind = f.kind[id];
-        const Index cell = f.c.grid.cell(f.position[id].vector());
-        f.key[id] = kind == Kind::reserve ? 2 * cells : is_free(kind) ? cell : cells + cell;
+        f.key[id] = f.kind[id] == Kind::reserve ? cells : f.c.grid.cell(f.position[id].vector());
     }
 };
 
@@ -60,8 +57,8 @@ ANEURYSM_INLINE void for_each_row(const Grid<Real>& grid, const Vec3T<Real>& r, 
     }
 }
 
-/// Free and ghost neighbors of sorted particle i, itself left out, in the order of bodies: counted, or
-/// written into its lists.
+/// Blood and ghosts of the wall that sorted particle i sees, itself left out, in the order of bodies: counted,
+/// or written into its lists.
 template <class Real, bool fill, bool periodic>
 struct FindNeighbors {
     Fields<Real> f;
@@ -69,19 +66,15 @@ struct FindNeighbors {
     ANEURYSM_HD void operator()(Index i, Lane lane) const
     {
         const Vec3T<Real> r = f.body_position[i].vector();
-        const Index cells = f.c.grid.cells();
-        Hits<fill> hits(fill ? f.free.body + lane_count * f.free.begin[i] : nullptr);
+        Hits<fill> hits(fill ? f.blood.body + lane_count * f.blood.begin[i] : nullptr);
         collect(i, r, f.start, 0, hits, lane);
-        finish(f.free, i, hits, lane);
+        finish(f.blood, i, hits, lane);
 
-        Hits<fill> ghosts(fill ? f.ghosts.body + lane_count * f.ghosts.begin[i] : nullptr);
-        if (f.has(r, near_opening)) {
-            collect(i, r, f.start + cells, 0, ghosts, lane);
-        }
+        Hits<fill> walls(fill ? f.walls.body + lane_count * f.walls.begin[i] : nullptr);
         if (f.has(r, near_wall)) {
-            collect(i, r, f.wall_start, f.c.first_wall(), ghosts, lane);
+            collect(i, r, f.wall_start, f.c.first_wall(), walls, lane);
         }
-        finish(f.ghosts, i, ghosts, lane);
+        finish(f.walls, i, walls, lane);
     }
 
 private:
@@ -123,14 +116,13 @@ struct CheckLists {
 
     ANEURYSM_HD void operator()() const
     {
-        const Index free = f.free_count();
+        const Index count = f.blood_count();
         Scene& s = *f.scene;
-        s.free_blocks = larger(s.free_blocks, f.free.begin[free]);
-        s.ghost_blocks = larger(s.ghost_blocks, f.ghosts.begin[free]);
-        if (s.free_blocks > f.free.capacity || s.ghost_blocks > f.ghosts.capacity) {
+        s.blood_blocks = larger(s.blood_blocks, f.blood.begin[count]);
+        s.wall_blocks = larger(s.wall_blocks, f.walls.begin[count]);
+        if (s.blood_blocks > f.blood.capacity || s.wall_blocks > f.walls.capacity) {
             s.fault = Fault::lists_full;
             f.start[f.c.grid.cells()] = 0;
-            f.start[2 * f.c.grid.cells()] = 0;
         }
     }
 };

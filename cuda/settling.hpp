@@ -7,29 +7,32 @@
 #include "cuda/passes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <vector>
 
 namespace aneurysm::device
 {
 
-/// Particles are displaced by what the pressure would do to them at rest.
+/// The density of a particle at rest is its error to correct.
 template <class Real>
-struct Displaced {
+struct TakeDensity {
     Fields<Real> f;
-    bool moves; ///< else only the densities are kept
+
+    ANEURYSM_HD void operator()(Index s) const { f.source[s] = f.body_velocity[s].w; }
+};
+
+/// Particles go the way that the correction gives them, by `farthest` at most.
+template <class Real>
+struct Displace {
+    Fields<Real> f;
+    Real farthest; ///< [m]
 
     ANEURYSM_HD void operator()(Index s) const
     {
         const Index id = f.order[s];
-        const bool free = s < f.free_count();
+        const Vec3T<Real> way = f.c.dt * f.correction[s].vector();
+        const Real l = length(way);
+        const Real part = l > farthest ? farthest / l : 1;
+        f.position[id] = row(f.c.vessel.wrapped(f.position[id].vector() + part * way), Real(0));
         f.event[id] = 0;
-        f.density[id] = free ? f.body_velocity[s].w : f.c.rho_0;
-        if (free && moves) {
-            const Vec3T<Real> way = f.c.dt * f.c.dt * f.acceleration[s].vector();
-            f.position[id] = row(f.c.vessel.wrapped(f.position[id].vector() + way), Real(0));
-        }
     }
 };
 template <class Real>
@@ -53,43 +56,42 @@ public:
     /// From the lattice in device memory to the settled state, there and in `state`.
     void run(SimulationState& state)
     {
-        const auto& settling = scenario_->settling;
-        const std::int64_t rounds = scenario_->pressure.density_correction > 0 ? settling.rounds : 0;
-        // At rest a step finds nothing to correct once the mean excess is this.
-        const double dt = scenario_->time.frame_s / static_cast<double>(scenario_->time.substeps);
-        const double allowed =
-            guards::settling_slack * scenario_->pressure.tolerance_per_s * dt / settling.density_correction;
+        if (!fields().c.corrects_density) {
+            return;
+        }
         executor_->once(BeginFrame{arrays_->scene(), arrays_->input()});
         executor_->for_each(fields().c.walls, PlaceWalls<Real>{fields()});
-        for (std::int64_t round = 0; round < rounds; ++round) {
-            push_apart();
-            find_densities();
-            executor_->for_each(n_, Displaced<Real>{fields(), false});
-            if (!take_surplus(state, allowed)) {
+        for (std::int64_t round = 0; round < scenario_->settling.pushing_rounds; ++round) {
+            settle_once(false);
+        }
+        for (std::int64_t round = 0; round < scenario_->settling.rounds; ++round) {
+            settle_once(true);
+            if (arrays_->fetched_scene().solve_iterations == 0) {
                 break;
             }
         }
         arrays_->download(state);
         state.ledger = {};
-        std::ranges::fill(state.particles.pressure, scenario_->outlet.pressure_pa);
         arrays_->upload(state);
     }
 
 private:
     const Fields<Real>& fields() const { return arrays_->fields(); }
 
-    void push_apart()
+    void settle_once(bool pulls)
     {
+        const auto& pressure = scenario_->pressure;
         const auto& settling = scenario_->settling;
-        const std::int64_t iterations = std::min(scenario_->pressure.max_iterations, settling.max_iterations);
-        for (std::int64_t k = 0; k < settling.steps; ++k) {
-            find_densities();
-            passes_->solve_incompressibility(fields(), settling.density_correction, iterations, true);
-            executor_->for_each(n_, Displaced<Real>{fields(), true});
-            executor_->for_each(n_, ContainBlood<Real>{fields()});
-            passes_->exchange(fields());
-            executor_->for_each(n_, Rest<Real>{fields()});
-        }
+        const std::int64_t iterations = std::min(pressure.correction_max_iterations, settling.max_iterations);
+        const SolveLimits limits{static_cast<Index>(iterations), pressure.correction_tolerance_per_s,
+                                 pressure.correction_max_tolerance_per_s};
+        find_densities();
+        executor_->for_each(blood_of(fields()), TakeDensity<Real>{fields()});
+        passes_->solve_correction(fields(), settling.density_correction, pulls, limits, true);
+        const auto farthest = static_cast<Real>(guards::settling_move) * fields().c.dx;
+        executor_->for_each(blood_of(fields()), Displace<Real>{fields(), farthest});
+        passes_->contain(fields());
+        executor_->for_each(n_, Rest<Real>{fields()});
     }
 
     /// Of all particles, with lists that have room for their neighbors.
@@ -102,33 +104,7 @@ private:
             executor_->once(BeginFrame{arrays_->scene(), arrays_->input()});
             passes_->find_neighbors(fields());
         }
-        executor_->for_each_group(free_of(fields()), Densities<Real>{fields()});
-    }
-
-    /// While the blood stays denser than allowed, the densest of it goes to the reserve.
-    bool take_surplus(SimulationState& state, double allowed)
-    {
-        arrays_->download(state);
-        const std::vector<double> rho = arrays_->density();
-        auto& kind = state.particles.kind;
-        std::vector<std::size_t> blood;
-        double excess = 0;
-        for (std::size_t i = 0; i < kind.size(); ++i) {
-            if (kind[i] == Kind::fluid) {
-                blood.push_back(i);
-                excess += std::max(rho[i] / scenario_->fluid.density_kg_m3 - 1, 0.0);
-            }
-        }
-        if (excess <= allowed * static_cast<double>(blood.size())) {
-            return false;
-        }
-        const auto surplus = std::min(blood.size(), static_cast<std::size_t>(std::ceil(excess)));
-        std::ranges::stable_sort(blood, std::greater<>(), [&rho](std::size_t i) { return rho[i]; });
-        for (std::size_t k = 0; k < surplus; ++k) {
-            kind[blood[k]] = Kind::reserve;
-        }
-        arrays_->upload(state);
-        return true;
+        passes_->find_densities(fields());
     }
 
     Executor* executor_;
