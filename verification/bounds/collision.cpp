@@ -36,7 +36,7 @@ CollisionBounds::Path CollisionBounds::follow(const InexactVec& x, const Inexact
         const Inexact outward = dot(path.velocity, n);
         const InexactVec back = path.position - d.value / slope * n;
         const InexactVec reflected = path.velocity - Inexact{2, 0} * outward * n;
-        const Truth turned = is_positive(outward, rounding_);
+        const Truth turned = rebound_ == Rebound::elastic ? is_positive(outward, rounding_) : Truth::no;
         InexactVec velocity = turned == Truth::no ? path.velocity : reflected;
         if (turned == Truth::open) {
             velocity = outward.value > 0 ? covering(reflected, path.velocity, rounding_)

@@ -22,8 +22,8 @@ struct CollisionCounts {
 class CollisionBounds
 {
 public:
-    CollisionBounds(const WallBounds& wall, double dx, const Rounding& rounding)
-        : wall_(&wall), dx_(dx), rounding_(rounding)
+    CollisionBounds(const WallBounds& wall, double dx, Rebound rebound, const Rounding& rounding)
+        : wall_(&wall), dx_(dx), rebound_(rebound), rounding_(rounding)
     {
     }
 
@@ -43,6 +43,7 @@ private:
 
     const WallBounds* wall_;
     double dx_;
+    Rebound rebound_;
     Rounding rounding_;
 };
 

@@ -37,7 +37,7 @@ FrameBounds::FrameBounds(const Scenario& scenario, const Vessel& vessel, double 
     : scenario_(&scenario), rounding_(rounding),
       kernel_(scenario.kernel.function, smoothing_length(scenario, dx)), wall_(vessel, scenario, rounding),
       ghosts_(scenario, wall_, dx, kernel_.support(), particle_mass(scenario, dx), rounding),
-      openings_(scenario, wall_, dx, rounding), collisions_(wall_, dx, rounding),
+      openings_(scenario, wall_, dx, rounding), collisions_(wall_, dx, scenario.collision.rebound, rounding),
       record_(scenario, wall_, dx, rounding), deform_(scenario, vessel.largest_radius(), dx)
 {
 }
@@ -49,6 +49,7 @@ void FrameBounds::begin(std::size_t particles)
     breach_.reset();
     record_.begin();
     taken_pressure_.clear();
+    taken_kappa_.clear();
 }
 
 void FrameBounds::see(FlowStage stage, double t, const SimulationState& state, const reference::Wall& wall,
@@ -61,27 +62,23 @@ void FrameBounds::see(FlowStage stage, double t, const SimulationState& state, c
         errors_->frame_open =
             errors_->frame_open || errors_->exchange_open ||
             std::ranges::any_of(errors_->other_kind, [](const auto& k) { return k.has_value(); });
-        begun_ = state;
         if (!frame_ghosts_) {
             frame_ghosts_ = ghosts_.at(wall);
         }
         break;
     case FlowStage::driven:
-        openings_.drive(begun_, state, t, *errors_);
+        openings_.drive(state, t, *errors_);
         driven_ = state;
         break;
     case FlowStage::moved:
         see_moved(state, wall, *step);
-        openings_.hold(state, t, *errors_);
-        break;
-    case FlowStage::held:
         record_.add_collisions(collisions_.bound(state.particles, wall, *errors_));
         break;
     case FlowStage::collided:
         last_ = state;
         break;
     case FlowStage::exchanged:
-        openings_.exchange(last_.particles, state.particles, *errors_);
+        openings_.exchange(last_.particles, state.particles, t, *errors_);
         last_ = state;
         if (wall.breach) {
             breach_ = wall.breach->center;
@@ -90,9 +87,13 @@ void FrameBounds::see(FlowStage stage, double t, const SimulationState& state, c
     }
 }
 
-/// Frame number times dt, the sine's argument and the sine: 8 roundings to double on each side, as in (25).
-BodyForce FrameBounds::body_force() const
+/// None while gravity is balanced. Frame number times dt, the sine's argument and the sine: 8 roundings to
+/// double on each side.
+BodyForce FrameBounds::body_force(const AneurysmState& aneurysm) const
 {
+    if (wall_.vessel().is_open(1) && aneurysm.phase != Phase::ruptured) {
+        return {};
+    }
     const Vec3& g = scenario_->fluid.gravity_m_s2;
     const double T = scenario_->fluid.gravity_cycle_s;
     if (!(T > 0)) {
@@ -102,12 +103,22 @@ BodyForce FrameBounds::body_force() const
     return {body_force_factor(*scenario_, time_) * g, rounding_.units(in_double)};
 }
 
-/// The sums of the step, then v and x' = x + dt v of all that move.
-void FrameBounds::see_moved(const SimulationState& state, const reference::Wall& wall, const FlowStep& step)
+StepInput FrameBounds::step_input(const SimulationState& state, const FlowStep& step) const
 {
     const std::size_t count = state.particles.size();
-    reference::Bodies bodies = step.bodies;
     const InexactGhosts& g = *frame_ghosts_;
+    const AneurysmState& aneurysm = state.aneurysm;
+    StepInput in{wall_.vessel().period(),
+                 body_force(aneurysm),
+                 openings_.level(aneurysm.phase, time_),
+                 step,
+                 driven_,
+                 state.particles,
+                 step.bodies,
+                 errors_->position,
+                 std::vector<double>(count, state.particles.mass),
+                 *errors_};
+    reference::Bodies& bodies = in.bodies;
     bodies.position.resize(count);
     bodies.position.insert(bodies.position.end(), g.ghosts.position.begin(), g.ghosts.position.end());
     bodies.mass.resize(count);
@@ -115,35 +126,69 @@ void FrameBounds::see_moved(const SimulationState& state, const reference::Wall&
     bodies.velocity.resize(bodies.size());
     const bool slips = scenario_->domain.wall == WallCondition::slip;
     bodies.role.resize(bodies.size(), slips ? Role::slip : Role::mirror);
-    BodyErrors in{errors_->position, errors_->velocity, std::vector<double>(count, state.particles.mass),
-                  errors_->outlet_velocity};
-    in.position.insert(in.position.end(), g.position_error.begin(), g.position_error.end());
-    in.velocity.resize(bodies.size(), 0);
-    in.mass.insert(in.mass.end(), g.mass_error.begin(), g.mass_error.end());
-    const reference::Period& box = wall_.vessel().period();
-    const StepBounds bounds(*scenario_, kernel_.smoothing_length(), box, body_force(), rounding_, step,
-                            bodies, driven_.particles.velocity, driven_, in);
+    in.position_error.insert(in.position_error.end(), g.position_error.begin(), g.position_error.end());
+    in.mass_error.insert(in.mass_error.end(), g.mass_error.begin(), g.mass_error.end());
+    return in;
+}
 
-    const double dt = scenario_->time.frame_s / static_cast<double>(scenario_->time.substeps);
-    const bool eos = scenario_->pressure.model == PressureModel::eos;
+void FrameBounds::see_moved(const SimulationState& state, const reference::Wall& wall, const FlowStep& step)
+{
+    const StepInput in = step_input(state, step);
+    const StepBounds bounds(*scenario_, kernel_.smoothing_length(), rounding_, in);
     const ParticleErrors before = *errors_;
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool free = step.bodies.free(i);
-        taken_pressure_.push_back(free ? step.pressure[i] : std::numeric_limits<double>::quiet_NaN());
-        errors_->density[i] = free ? bounds.density[i] : step.rho[i];
-        if (state.particles.kind[i] == Kind::reserve) {
+    take_solutions(state.particles, step, bounds);
+    errors_->frame_open =
+        errors_->frame_open || bounds.void_open || openings_.far_layers_open(driven_.particles, before);
+    bound_particles(state, bounds);
+    record_.add_step(state, step, wall, bounds, *errors_, before);
+}
+
+/// v, and x' = x + dt v + correction of all that move.
+void FrameBounds::bound_particles(const SimulationState& state, const StepBounds& bounds)
+{
+    const reference::Period& box = wall_.vessel().period();
+    const Particles& p = state.particles;
+    const double dt = scenario_->time.frame_s / static_cast<double>(scenario_->time.substeps);
+    const double rho_0 = scenario_->fluid.density_kg_m3;
+    const Inexact lowest = openings_.lowest_pressure(state.aneurysm.phase, time_);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        errors_->density[i] = p.kind[i] == Kind::reserve ? rho_0 : bounds.density[i];
+        if (p.kind[i] == Kind::reserve) {
             continue;
         }
-        if (free) {
-            errors_->velocity[i] = bounds.velocity[i];
-            errors_->pressure[i] = eos ? bounds.pressure[i] : 0;
+        errors_->velocity[i] = bounds.velocity[i];
+        errors_->drift[i] = bounds.drift[i];
+        errors_->open[i] = errors_->open[i] || bounds.open[i];
+        if (is_free(p.kind[i])) {
+            errors_->pressure[i] = p.pressure[i] == lowest.value ? lowest.error : bounds.pressure[i];
         }
-        const Vec3& x = state.particles.position[i];
-        const double way = dt * length(state.particles.velocity[i]);
-        errors_->position[i] += dt * errors_->velocity[i] + 2 * way + length(x);
-        errors_->position[i] += seam_error(x, way + rounding_.absolute(errors_->position[i]), box);
+        const double way = dt * length(p.velocity[i]) + length(bounds.way(i));
+        errors_->position[i] +=
+            dt * errors_->velocity[i] + bounds.correction[i] + 2 * way + 2 * length(p.position[i]);
+        errors_->position[i] +=
+            seam_error(p.position[i], way + rounding_.absolute(errors_->position[i]), box);
     }
-    record_.add_step(state, step, wall, bounds, *errors_, before);
+}
+
+/// What the reference took from the candidate, and how its solve of the correction ended with that.
+void FrameBounds::take_solutions(const Particles& moved, const FlowStep& step, const StepBounds& bounds)
+{
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    double sum = 0;
+    double count = 0;
+    correction_ = {step.corrected.residual_mean, 0, step.corrected.residual_max, 0};
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        taken_pressure_.push_back(step.bodies.free(i) ? step.pressure[i] : none);
+        taken_kappa_.push_back(step.bodies.blood(i) ? moved.kappa[i] : none);
+        if (step.bodies.blood(i)) {
+            const double units = bounds.correction_residual[i];
+            correction_.largest_error = std::max(correction_.largest_error, rounding_.absolute(units));
+            sum += units;
+            ++count;
+        }
+    }
+    const double mean = sum / std::max(count, 1.0) + count * correction_.mean;
+    correction_.mean_error = rounding_.absolute(mean);
 }
 
 FrameRange FrameBounds::finish(const SimulationState& start, const SimulationState& end,

@@ -24,15 +24,20 @@ constexpr double unit_roundoff(Precision precision)
 class Rounding
 {
 public:
-    explicit Rounding(double candidate) : unit_(candidate + 0x1p-53) {}
+    explicit Rounding(double candidate)
+        : unit_(candidate + 0x1p-53), smallest_normal_(candidate > 0x1p-53 ? 0x1p-126 : 0x1p-1022)
+    {
+    }
 
     /// A bound in units of U as a number. Products of two relative errors are left out of the units; each is
-    /// below 1 % of a first-order term, since no relative error here reaches 1 %.
-    double absolute(double units) const { return 1.01 * unit_ * units; }
+    /// below 1 % of a first-order term, since no relative error here reaches 1 %. Below the smallest normal number
+    /// a rounding is off by a part of that instead, 2^-24 or 2^-53 of it: this covers millions of them.
+    double absolute(double units) const { return units == 0 ? 0 : 1.01 * unit_ * units + smallest_normal_; }
     double units(double absolute) const { return absolute / unit_; }
 
 private:
     double unit_;
+    double smallest_normal_;
 };
 
 /// A number as the reference computes it, and how far the candidate's can be from it [in U].

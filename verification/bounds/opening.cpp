@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/bounds/opening.hpp"
 
+#include "common/guards.hpp"
 #include "common/scenario/limits.hpp"
-#include "common/vessel/sampling.hpp"
+#include "common/vessel/initial_state.hpp"
 #include "reference/boundary.hpp"
+#include "reference/flow_path.hpp"
 #include "verification/bounds/seam.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 namespace aneurysm::bounds
 {
 namespace
 {
-constexpr std::array<Kind, 3> ghost_kind{Kind::inlet, Kind::outlet_1, Kind::outlet_2};
+constexpr std::array<Kind, 3> buffer_kind{Kind::inlet, Kind::outlet_1, Kind::outlet_2};
+constexpr double in_double = 0x1p-53;
 
-bool is_ghost(Kind kind)
-{
-    return kind == Kind::inlet || kind == Kind::outlet_1 || kind == Kind::outlet_2;
-}
-
-/// Steepest change of (25) [m/s^2].
-double steepest(const Scenario& s)
+/// Steepest change of the waveform of (25) [m/s^2].
+double steepest_wave(const Scenario& s)
 {
     const auto& inlet = s.inlet;
     if (inlet.waveform != Waveform::table) {
@@ -38,196 +35,170 @@ double steepest(const Scenario& s)
     return slope;
 }
 
+/// Steepest change of (25) [m/s^2].
+double steepest(const Scenario& s)
+{
+    const double ramp = s.inlet.ramp_s > 0 ? 1.5 / s.inlet.ramp_s : 0;
+    return steepest_wave(s) + ramp * largest_inlet_speed(s);
+}
+
+/// Whether the controller has just placed particle i.
+bool is_placed(const Particles& before, const Particles& after, std::size_t i)
+{
+    return after.kind[i] != Kind::reserve &&
+           (before.kind[i] == Kind::reserve || before.position[i] != after.position[i]);
+}
+
+/// Whether each particle is in buffer k when its far layer is filled.
+std::vector<Truth> members(const Particles& before, const Particles& after, std::size_t k,
+                           const ParticleErrors& errors)
+{
+    std::vector<Truth> result(after.size(), Truth::no);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const bool is = after.kind[i] == buffer_kind.at(k) && !is_placed(before, after, i);
+        const bool may_be = is || errors.other_kind[i] == buffer_kind.at(k);
+        if (may_be) {
+            result[i] = errors.other_kind[i] ? Truth::open : Truth::yes;
+        }
+    }
+    return result;
+}
+
 } // namespace
 
 OpeningBounds::OpeningBounds(const Scenario& scenario, const WallBounds& wall, double dx,
                              const Rounding& rounding)
     : scenario_(&scenario), wall_(&wall), dx_(dx),
-      dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)), rounding_(rounding)
+      dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)), rounding_(rounding),
+      patterns_(sample_lattice(wall.vessel(), initial_radius(scenario), dx).openings)
 {
+}
+
+/// How far both sides together can be from (25) before it is rounded: frame number times dt, the sine's
+/// argument, the waveform and the ramp are 16 roundings to double on each.
+double OpeningBounds::inlet_velocity_in_double(double t) const
+{
+    return 2 * 16 * in_double * (steepest(*scenario_) * (t + dt_) + largest_inlet_speed(*scenario_));
 }
 
 Inexact OpeningBounds::inlet_velocity(double t) const
 {
     const auto& inlet = scenario_->inlet;
-    const double v = reference::inlet_velocity(inlet.waveform, inlet.peak_velocity_m_s, inlet.cycle_s, t,
+    const double v = reference::inlet_ramp(inlet.ramp_s, t) *
+                     reference::inlet_velocity(inlet.waveform, inlet.peak_velocity_m_s, inlet.cycle_s, t,
                                                inlet.table_time_s, inlet.table_velocity_m_s);
-    // Frame number times dt, sine's argument and the waveform: 8 roundings to double on each side.
-    const double in_double =
-        2 * 8 * 0x1p-53 * (steepest(*scenario_) * (t + dt_) + largest_inlet_speed(*scenario_));
-    return {v, rounding_.units(in_double) + std::abs(v)};
+    return {v, rounding_.units(inlet_velocity_in_double(t)) + std::abs(v)};
 }
 
-void OpeningBounds::drive(const SimulationState& begun, const SimulationState& driven, double t,
-                          ParticleErrors& errors) const
+/// min(p_const, margin (rho_0 (inertia max(0, -dv/dt) + v^2) + mu friction max(0, -v))): a minimum moves by
+/// no more than what it is of. The path's sums and these are 24 roundings to double on each side.
+Inexact OpeningBounds::level(Phase phase, double t) const
 {
-    const auto sign = [&](double time) {
-        Inexact v = inlet_velocity(time);
-        v.error -= std::abs(v.value); // the last rounding doesn't change the sign
-        return is_positive(v, rounding_);
-    };
-    if (sign(t) != Truth::no && sign(t - dt_) != Truth::yes &&
-        (sign(t) == Truth::open || sign(t - dt_) == Truth::open)) {
-        errors.frame_open = true;
+    const double p_const = scenario_->outlet.pressure_pa;
+    if (!wall_->vessel().is_open(1)) {
+        return {};
     }
-    const Inexact v = inlet_velocity(t);
+    if (scenario_->pressure.model == PressureModel::eos || phase == Phase::ruptured) {
+        return rounded(p_const);
+    }
+    const reference::FlowPath path = reference::flow_path(*scenario_, wall_->vessel());
+    const double rho_0 = scenario_->fluid.density_kg_m3;
+    const double v = inlet_velocity(t).value;
+    const double v_error = inlet_velocity_in_double(t);
+    const double slowing = std::max(0.0, (inlet_velocity(t - dt_).value - v) / dt_);
+    const double friction = scenario_->fluid.viscosity_pa_s * path.friction;
+    const double pull = rho_0 * (path.inertia * slowing + v * v) + friction * std::max(0.0, -v);
+    const double error =
+        v_error * (rho_0 * (2 * path.inertia / dt_ + 2 * std::abs(v)) + friction) + 2 * 24 * in_double * pull;
+    const double margin = scenario_->outlet.level_margin;
+    const double value = std::min(p_const, margin * pull);
+    return {value, rounding_.units(margin * error) + std::abs(value)};
+}
+
+/// The level less p_const; both sides take 0 where it is p_const itself.
+Inexact OpeningBounds::lowest_pressure(Phase phase, double t) const
+{
+    const Inexact level = this->level(phase, t);
+    const double p_const = scenario_->outlet.pressure_pa;
+    return level.value < p_const ? level - rounded(p_const) : Inexact{};
+}
+
+/// (25) times the profile over the inlet's section.
+Inexact OpeningBounds::inlet_speed(const InexactVec& x, const Inexact& v_inlet) const
+{
+    if (scenario_->inlet.profile == InletProfile::plug) {
+        return v_inlet;
+    }
+    const Opening& inlet = wall_->vessel().openings()[0];
+    const InexactVec n = rounded(inlet.outward);
+    const InexactVec d = x - rounded(inlet.center);
+    const InexactVec across = d - dot(d, n) * n;
+    const Inexact radius = rounded(inlet.radius);
+    const Inexact q = dot(across, across) / (radius * radius);
+    const Inexact factor = Inexact{2, 0} * (Inexact{1, 0} - q);
+    return Inexact{std::max(factor.value, 0.0), factor.error} * v_inlet;
+}
+
+void OpeningBounds::drive(const SimulationState& driven, double t, ParticleErrors& errors) const
+{
     const Particles& p = driven.particles;
+    const Inexact v_inlet = inlet_velocity(t);
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (p.kind[i] == Kind::inlet) {
+            const Inexact v = inlet_speed(inexact(p.position[i], errors.position[i]), v_inlet);
             errors.velocity[i] = v.error + 2 * std::abs(v.value);
         }
-        if (is_ghost(p.kind[i]) && p.position[i] != begun.particles.position[i]) {
-            errors.position[i] = length(p.position[i]); // a pattern's place
-            errors.velocity[i] = 0;
-        }
     }
     for (const std::size_t k : {1U, 2U}) {
-        drive_outlet(begun, driven, k, errors);
+        std::vector<Truth> member(p.size());
+        std::ranges::transform(p.kind, member.begin(),
+                               [k](Kind kind) { return kind == buffer_kind.at(k) ? Truth::yes : Truth::no; });
+        errors.outlet_velocity[k - 1] = buffer_velocity(p, k, member, errors).error;
     }
 }
 
-/// v' = mean v + dt (mean p - p_outlet) / (rho_0 D). A particle that may or may not be counted moves each
-/// mean by its distance from it over their number.
-Inexact OpeningBounds::outlet_velocity(const SimulationState& begun, std::size_t k, double e_previous,
+/// The mean of `count` dot products, with 8 operations more. A particle that may or may not be counted moves
+/// it by its distance from it over their number.
+Inexact OpeningBounds::buffer_velocity(const Particles& p, std::size_t k, const std::vector<Truth>& member,
                                        const ParticleErrors& errors) const
 {
-    const Particles& p = begun.particles;
     const Vec3& n = wall_->vessel().openings()[k].outward;
-    const double depth = scenario_->controller.probe_depth_spacings * dx_;
-    const Inexact probe{-depth, 3 * depth};
-    std::vector<std::size_t> open;
     double count = 0;
     double v = 0;
-    double pressure = 0;
-    double v_error = 0;
-    double p_error = 0;
-    double v_magnitude = 0;
+    double sizes = 0;
+    double error = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        const InexactVec x = inexact(p.position[i], errors.position[i]);
-        const Truth before =
-            p.kind[i] == Kind::fluid ? is_positive(wall_->beyond(k, x) - probe, rounding_) : Truth::no;
-        const Truth counts = before == Truth::no ? before : before && wall_->is_nearest(k, x);
-        if (counts == Truth::open) {
-            open.push_back(i);
-        } else if (counts == Truth::yes) {
+        if (member[i] == Truth::yes) {
             ++count;
             v += dot(p.velocity[i], n);
-            v_magnitude += length(p.velocity[i]);
-            v_error += errors.velocity[i];
-            pressure += std::max(p.pressure[i], 0.0);
-            p_error += errors.pressure[i];
+            sizes += length(p.velocity[i]);
+            error += errors.velocity[i];
         }
     }
-    const double previous = begun.outlet_velocity[k - 1];
-    if (count == 0) {
-        return {previous, open.empty() ? e_previous : rounding_.units(largest_inlet_speed(*scenario_))};
-    }
-    const double dynamic = previous < 0 ? 0.5 * scenario_->fluid.density_kg_m3 * previous * previous : 0;
-    const double p_const = std::abs(scenario_->outlet.pressure_pa);
-    const double e_outlet = 5 * dynamic + 2 * p_const +
-                            (previous < 0 ? scenario_->fluid.density_kg_m3 * -previous * e_previous : 0);
-    const double inertia = dt_ / (scenario_->fluid.density_kg_m3 * opening_layers * dx_);
-    for (const std::size_t i : open) {
-        v_error += rounding_.units(std::abs(dot(p.velocity[i], n) - v / count));
-        p_error += rounding_.units(std::abs(std::max(p.pressure[i], 0.0) - pressure / count));
-    }
-    // Sums of `count` terms, each a dot product; 8 operations more.
-    const double error = (v_error + (count + 8) * v_magnitude) / count +
-                         inertia * ((p_error + (count + 8) * pressure) / count + e_outlet + 8 * p_const);
-    return {v / count, error};
-}
-
-void OpeningBounds::drive_outlet(const SimulationState& begun, const SimulationState& driven, std::size_t k,
-                                 ParticleErrors& errors) const
-{
-    const double previous = begun.outlet_velocity[k - 1];
-    const double e_previous = errors.outlet_velocity[k - 1];
-    const double v = driven.outlet_velocity[k - 1];
-    const double e = outlet_velocity(begun, k, e_previous, errors).error;
-    errors.outlet_velocity[k - 1] = e;
-    const Truth outward = is_positive({v, e}, rounding_);
-    if (outward == Truth::open) {
-        errors.frame_open = true; // plug or not, reset or not
-    }
-    const Particles& p = driven.particles;
+    const double size = std::max(count, 1.0);
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.kind[i] == ghost_kind.at(k)) {
-            const double own = outward == Truth::no
-                                   ? 0
-                                   : errors.velocity[i] + e_previous +
-                                         4 * length(begun.particles.velocity[i]) + 2 * std::abs(previous);
-            errors.velocity[i] = own + e + 4 * std::abs(v);
+        if (member[i] == Truth::open) {
+            error += rounding_.units(std::abs(dot(p.velocity[i], n) - v / size));
         }
     }
+    return {v / size, (error + (count + 8) * sizes) / size};
 }
 
-void OpeningBounds::hold(const SimulationState& moved, double t, ParticleErrors& errors) const
+bool OpeningBounds::far_layers_open(const Particles& driven, const ParticleErrors& errors) const
 {
-    const Inexact v = inlet_velocity(t);
-    if (v.value >= 0 || is_positive(v, rounding_) == Truth::open) {
-        push(moved.particles, v, errors);
-    }
-    for (const std::size_t k : {1U, 2U}) {
-        if (moved.outlet_velocity[k - 1] < 0) {
-            hold_back(moved.particles, k, errors);
+    const double near = (opening_layers - guards::open_layers) * dx_;
+    for (std::size_t i = 0; i < driven.size(); ++i) {
+        const Kind kind = driven.kind[i];
+        if (kind != Kind::reserve && kind != Kind::fluid && kind != Kind::escaped &&
+            wall_->is_beyond_nearest(inexact(driven.position[i], errors.position[i]), rounded(near)) ==
+                Truth::open) {
+            return true;
         }
     }
+    return false;
 }
 
-/// The piston of the inlet: x - max(0, beyond) n and v - max(0, v_inlet - inward) n. The error of a maximum
-/// with 0 is at most that of its argument. At the piston's reach the velocity sets in with a jump.
-void OpeningBounds::push(const Particles& p, const Inexact& v_inlet, ParticleErrors& errors) const
-{
-    const Vec3& n = wall_->vessel().openings()[0].outward;
-    const double before = scenario_->controller.piston_reach_spacings * dx_;
-    const Inexact reach{-before, 3 * before};
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.kind[i] != Kind::fluid) {
-            continue;
-        }
-        const Inexact beyond = wall_->beyond(0, inexact(p.position[i], errors.position[i]));
-        const Truth pushed = is_positive(beyond - reach, rounding_);
-        if (pushed == Truth::no) {
-            continue;
-        }
-        const double speed = length(p.velocity[i]) + std::abs(v_inlet.value);
-        const double jump = std::max(0.0, v_inlet.value + dot(p.velocity[i], n));
-        errors.velocity[i] += v_inlet.error + 6 * speed;
-        if (pushed == Truth::open) {
-            errors.velocity[i] += rounding_.units(jump);
-            errors.open[i] = true;
-        }
-        if (is_positive(beyond, rounding_) != Truth::no) {
-            errors.position[i] += beyond.error + 2 * std::abs(beyond.value) + length(p.position[i]);
-        }
-    }
-}
-
-void OpeningBounds::hold_back(const Particles& p, std::size_t k, ParticleErrors& errors) const
-{
-    const Vec3& n = wall_->vessel().openings()[k].outward;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.kind[i] != Kind::fluid) {
-            continue;
-        }
-        const InexactVec x = inexact(p.position[i], errors.position[i]);
-        const Inexact beyond = wall_->beyond(k, x);
-        const Truth plane = is_positive(beyond, rounding_);
-        const Truth held = plane == Truth::no ? plane : plane && wall_->is_nearest(k, x);
-        if (held == Truth::no) {
-            continue;
-        }
-        errors.position[i] += beyond.error + 2 * std::abs(beyond.value) + length(p.position[i]);
-        errors.velocity[i] += errors.velocity[i] + 6 * length(p.velocity[i]);
-        if (held == Truth::open) {
-            errors.velocity[i] += rounding_.units(std::max(0.0, dot(p.velocity[i], n)));
-            errors.position[i] += rounding_.units(std::abs(beyond.value));
-            errors.open[i] = true;
-        }
-    }
-}
-
-/// Blood at an open end becomes a ghost or not. Blood that was held back lies on the very plane.
+/// Blood at an open end joins its buffer or not.
 void OpeningBounds::cross(const Particles& before, const Particles& after, std::size_t i,
                           ParticleErrors& errors) const
 {
@@ -235,77 +206,94 @@ void OpeningBounds::cross(const Particles& before, const Particles& after, std::
     if (wall_->is_beyond_nearest(x, {}) != Truth::open) {
         return;
     }
-    for (std::size_t k = 0; k < ghost_kind.size(); ++k) {
+    for (std::size_t k = 0; k < buffer_kind.size(); ++k) {
         if (is_positive(wall_->beyond(k, x), rounding_) != Truth::no &&
             wall_->is_nearest(k, x) != Truth::no) {
-            const bool crossed = after.kind[i] == ghost_kind.at(k);
-            errors.may_become(i, crossed ? Kind::fluid : ghost_kind.at(k),
+            const bool crossed = after.kind[i] == buffer_kind.at(k);
+            errors.may_become(i, crossed ? Kind::fluid : buffer_kind.at(k),
                               k == 0 ? &Ledger::inlet_out : &Ledger::outlet_out);
             return;
         }
     }
 }
 
-/// Whether rounding decides if ghost i becomes blood or leaves its slab;
-/// where others are placed depends on it.
-bool OpeningBounds::may_enter_or_leave(const Particles& p, std::size_t i, const ParticleErrors& errors) const
+/// Blood of buffer k joins the artery or not. Who is placed where depends on what leaves it at its far end.
+void OpeningBounds::leave_buffer(const Particles& before, const Particles& after, std::size_t i,
+                                 std::size_t k, ParticleErrors& errors) const
 {
-    const auto k = static_cast<std::size_t>(std::ranges::find(ghost_kind, p.kind[i]) - ghost_kind.begin());
-    const Inexact beyond = wall_->beyond(k, inexact(p.position[i], errors.position[i]));
+    const Inexact beyond = wall_->beyond(k, inexact(before.position[i], errors.position[i]));
     const double depth = opening_layers * dx_;
-    const Truth enters = !is_positive(beyond, rounding_);
-    return enters == Truth::open ||
-           is_positive(beyond - Inexact{depth, 2 * depth}, rounding_) == Truth::open ||
-           (enters == Truth::yes && is_taken_open(p, i, errors));
-}
-
-/// Whether rounding decides if blood is too near to ghost i, at the place where it enters.
-bool OpeningBounds::is_taken_open(const Particles& p, std::size_t i, const ParticleErrors& errors) const
-{
-    const double closest = scenario_->controller.closest_entry_spacings * dx_;
-    const Inexact reach{closest, 2 * closest};
-    for (std::size_t j = 0; j < p.size(); ++j) {
-        if (p.kind[j] == Kind::fluid) {
-            const Inexact d = norm(shortest(inexact(p.position[j], errors.position[j]) -
-                                                inexact(p.position[i], errors.position[i]),
-                                            wall_->vessel().period()));
-            if (is_positive(d - reach, rounding_) == Truth::open) {
-                return true;
-            }
-        }
+    if (is_positive(beyond, rounding_) == Truth::open) {
+        errors.may_become(i, after.kind[i] == Kind::fluid ? buffer_kind.at(k) : Kind::fluid,
+                          k == 0 ? &Ledger::inlet_in : &Ledger::outlet_in);
     }
-    return false;
+    if (is_positive(beyond - Inexact{depth, 2 * depth}, rounding_) == Truth::open) {
+        errors.exchange_open = true;
+        errors.open[i] = true;
+    }
 }
 
-void OpeningBounds::exchange(const Particles& before, const Particles& after, ParticleErrors& errors) const
+void OpeningBounds::exchange(const Particles& before, const Particles& after, double t,
+                             ParticleErrors& errors) const
 {
-    double position = 0;
-    double velocity = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (before.kind[i] == Kind::fluid) {
             cross(before, after, i, errors);
         }
-        if (!is_ghost(before.kind[i])) {
-            continue;
-        }
-        if (may_enter_or_leave(before, i, errors)) {
-            errors.exchange_open = true;
-            errors.open[i] = true;
-        }
-        if (after.kind[i] == Kind::fluid) {
-            position = std::max(position, errors.position[i]);
-            velocity = std::max(velocity, errors.velocity[i]);
+        for (std::size_t k = 0; k < buffer_kind.size(); ++k) {
+            if (before.kind[i] == buffer_kind.at(k)) {
+                leave_buffer(before, after, i, k, errors);
+            }
         }
     }
-    // A new ghost is placed a slab's depth behind one that entered and has its velocity; which of them is
-    // the reserve's business, so the largest error of all counts. It may have been another ghost that left.
+    for (std::size_t k = 0; k < buffer_kind.size(); ++k) {
+        fill(before, after, k, t, errors);
+    }
+}
+
+/// What is placed has a place of the pattern and the velocity of its buffer.
+void OpeningBounds::fill(const Particles& before, const Particles& after, std::size_t k, double t,
+                         ParticleErrors& errors) const
+{
+    const std::vector<Truth> member = members(before, after, k, errors);
+    Inexact v = k == 0 ? -inlet_velocity(t) : buffer_velocity(before, k, member, errors);
+    Inexact unrounded = v;
+    unrounded.error -= k == 0 ? std::abs(v.value) : 0; // the last rounding doesn't change the sign
+    const bool is_zero = v.value == 0 && v.error == 0; // for both: an empty buffer
+    const Truth outwards = is_zero ? Truth::no : is_positive(unrounded, rounding_);
+    bool open = outwards == Truth::open;
+    for (std::size_t n = 0; outwards != Truth::yes && n < patterns_.at(k).size() && !open; ++n) {
+        open = is_filled(patterns_.at(k)[n], k, before, member, errors) == Truth::open;
+    }
+    errors.exchange_open = errors.exchange_open || open;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        if (is_ghost(after.kind[i]) && before.position[i] != after.position[i]) {
-            errors.position[i] =
-                std::max(position, errors.position[i]) + length(after.position[i]) + 5 * opening_layers * dx_;
-            errors.velocity[i] = std::max(velocity, errors.velocity[i]);
+        if (after.kind[i] == buffer_kind.at(k) && is_placed(before, after, i)) {
+            const InexactVec x = rounded(after.position[i]);
+            const Inexact speed = k == 0 ? inlet_speed(x, v) : v;
+            errors.position[i] = error_of(x);
+            errors.velocity[i] = speed.error + 2 * std::abs(speed.value);
+            errors.drift[i] = 0;
+            errors.pressure[i] = 0;
         }
     }
+}
+
+/// Whether a place of the far layer is filled: no blood of its buffer is nearer than the refill distance.
+Truth OpeningBounds::is_filled(const Vec3& place, std::size_t k, const Particles& p,
+                               const std::vector<Truth>& member, const ParticleErrors& errors) const
+{
+    const InexactVec x = rounded(place);
+    const double near = (opening_layers - 1) * dx_;
+    const Inexact reach = rounded(scenario_->controller.refill_distance_spacings * dx_);
+    Truth filled = is_positive(wall_->beyond(k, x) - rounded(near), rounding_);
+    for (std::size_t i = 0; filled != Truth::no && i < p.size(); ++i) {
+        if (member[i] != Truth::no) {
+            const InexactVec d = inexact(p.position[i], errors.position[i]) - x;
+            const Truth nearer = is_positive(reach - norm(shortest(d, wall_->vessel().period())), rounding_);
+            filled = filled && !(member[i] && nearer);
+        }
+    }
+    return filled;
 }
 
 void OpeningBounds::recycle(const Particles& before, const Particles& after, const Vec3& breach,

@@ -223,11 +223,13 @@ void RecordBounds::finish(const FrameRecord& record, const ParticleErrors& error
         take(count);
     }
     const Ledger& other = errors.other_counts;
-    for (const auto count : {&Ledger::inlet_out, &Ledger::outlet_out, &Ledger::escaped, &Ledger::recycled}) {
+    for (const auto count : {&Ledger::inlet_in, &Ledger::inlet_out, &Ledger::outlet_in, &Ledger::outlet_out,
+                             &Ledger::escaped, &Ledger::recycled}) {
         low.ledger.*count -= other.*count;
         high.ledger.*count += other.*count;
     }
-    const std::int64_t blood = other.inlet_out + other.outlet_out + other.escaped;
+    const std::int64_t blood =
+        other.inlet_in + other.inlet_out + other.outlet_in + other.outlet_out + other.escaped;
     low.fluid -= blood;
     high.fluid += blood;
     low.active -= other.recycled;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/bounds/step.hpp"
 
+#include "common/guards.hpp"
+#include "common/vessel/sampling.hpp"
 #include "reference/boundary.hpp"
+#include "verification/bounds/mean.hpp"
 #include "verification/bounds/seam.hpp"
 
 #include <algorithm>
@@ -10,135 +13,180 @@
 namespace aneurysm::bounds
 {
 
-using reference::Bodies;
-using reference::FlowStep;
 using reference::Neighbor;
 using reference::Role;
 
-StepBounds::StepBounds(const Scenario& scenario, double h, const reference::Period& box,
-                       const BodyForce& body_force, const Rounding& rounding, const FlowStep& step,
-                       const Bodies& bodies, std::span<const Vec3> before, const SimulationState& driven,
-                       const BodyErrors& errors)
-    : density(step.velocity.size(), 0), pressure(bodies.size(), 0), velocity(step.velocity.size(), 0),
-      residual(step.velocity.size(), 0), divergence(step.velocity.size(), 0), scenario_(&scenario),
+StepBounds::StepBounds(const Scenario& scenario, double h, const Rounding& rounding, const StepInput& input)
+    : density(input.moved.size(), 0), pressure(input.bodies.size(), 0), velocity(input.errors.velocity),
+      residual(density), divergence(density), drift(input.errors.drift), correction(density),
+      correction_residual(density), open(input.moved.size(), false), scenario_(&scenario),
       rho_0_(scenario.fluid.density_kg_m3),
-      dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)), h_(h),
-      body_force_(body_force), rounding_(rounding), kernel_(scenario.kernel.function, h), step_(&step),
-      bodies_(&bodies), errors_(&errors), begin_(bodies.size() + 1, 0), start_velocity_(errors.velocity),
-      viscosity_(step.velocity.size(), 0), acceleration_(step.velocity.size(), 0)
+      dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)), h_(h), rounding_(rounding),
+      kernel_(scenario.kernel.function, h), in_(&input), count_(input.moved.size()),
+      begin_(input.bodies.size() + 1, 0), start_velocity_error_(velocity), viscosity_(density),
+      acceleration_(density), predicted_(density), predicted_error_(density)
 {
-    find_pairs(box, rounding.absolute(2 * *std::ranges::max_element(errors.position) + 10 * 2 * h));
+    find_pairs();
     bound_density();
-    bound_forces(before, driven);
-    bound_pressure(driven);
+    bound_ghost_velocity();
+    bound_forces();
+    bound_pressure();
     bound_divergence();
+    if (corrects_density()) {
+        bound_prediction();
+        bound_correction();
+    }
+}
+
+bool StepBounds::corrects_density() const
+{
+    return scenario_->pressure.model == PressureModel::dfsph && scenario_->pressure.density_correction > 0;
 }
 
 /// Also the pairs that the candidate may find just inside the support.
-void StepBounds::find_pairs(const reference::Period& box, double support_margin)
+void StepBounds::find_pairs()
 {
-    const reference::Kernel wide(scenario_->kernel.function, h_ + support_margin / 2);
-    const reference::Neighbors neighbors(*bodies_, wide, box);
-    for (std::size_t i = 0; i < bodies_->size(); ++i) {
+    const reference::Bodies& b = in_->bodies;
+    const std::vector<double>& e = in_->position_error;
+    const double H = 2 * h_;
+    const double margin = rounding_.absolute(2 * *std::ranges::max_element(e) + 10 * H);
+    const reference::Kernel wide(scenario_->kernel.function, h_ + margin / 2);
+    const reference::Neighbors neighbors(b, wide, in_->box);
+    for (std::size_t i = 0; i < b.size(); ++i) {
         begin_[i] = pairs_.size();
         for (const Neighbor& n : neighbors.of(i)) {
-            const Vec3& a = bodies_->position[i];
-            const Vec3& b = bodies_->position[n.j];
+            const Vec3& x_i = b.position[i];
+            const Vec3& x_j = b.position[n.j];
+            const double r = length(reference::difference(x_i, x_j, in_->box));
             // A body's distance to itself is 0 for both.
-            const double error =
-                n.j == i ? 0 : errors_->position[i] + errors_->position[n.j] + seam_error(a, b, box);
-            pairs_.push_back({n.j, kernel_.of(length(reference::difference(a, b, box)), error)});
+            const double error = n.j == i ? 0 : e[i] + e[n.j] + seam_error(x_i, x_j, in_->box);
+            pairs_.push_back(
+                {n.j, kernel_.of(r, error), error, is_positive({H - r, error + 4 * r + 2 * H}, rounding_)});
         }
     }
-    begin_[bodies_->size()] = pairs_.size();
+    begin_[b.size()] = pairs_.size();
 }
 
 /// (5): m W, the product and the candidate's mass rounded.
 void StepBounds::bound_density()
 {
-    for (std::size_t i = 0; i < density.size(); ++i) {
+    const double least = guards::void_density * rho_0_;
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (!in_->bodies.blood(i)) {
+            continue;
+        }
         SumBound sum;
         for (const Pair& n : pairs(i)) {
-            sum.add(bodies_->mass[n.j], errors_->mass[n.j], {1, 0}, n.kernel.W);
+            sum.add(in_->bodies.mass[n.j], in_->mass_error[n.j], {1, 0}, n.kernel.W);
         }
         density[i] = sum.error(terms(i) + 2);
+        void_open =
+            void_open || is_positive({rho(i) - least, density[i] + 2 * least}, rounding_) == Truth::open;
     }
+}
+
+/// (27): what blood before a ghost has in the mean, turned round.
+void StepBounds::bound_ghost_velocity()
+{
+    std::vector<WeightedMean<Vec3>> means(in_->bodies.size() - count_);
+    const auto visit = [&](auto use) {
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (const Pair& n : pairs(i)) {
+                if (in_->bodies.role[n.j] == Role::mirror) {
+                    use(means[n.j - count_], n.kernel.W, i);
+                }
+            }
+        }
+    };
+    const std::vector<Vec3>& v = in_->driven.particles.velocity;
+    visit([&](WeightedMean<Vec3>& mean, const Inexact& w, std::size_t i) { mean.add(w, v[i]); });
+    visit([&](WeightedMean<Vec3>& mean, const Inexact& w, std::size_t i) {
+        mean.compare(w, v[i], in_->errors.velocity[i]);
+    });
+    for (const WeightedMean<Vec3>& mean : means) {
+        ghost_velocity_.push_back(-mean.value());
+        ghost_velocity_error_.push_back(mean.error(rounding_));
+    }
+}
+
+Vec3 StepBounds::start_velocity(std::size_t j) const
+{
+    return j < count_ ? in_->driven.particles.velocity[j] : ghost_velocity_[j - count_];
 }
 
 /// (7), (26) and (1): v* = v + dt (rho g + F) / rho.
-void StepBounds::bound_forces(std::span<const Vec3> before, const SimulationState& driven)
+void StepBounds::bound_forces()
 {
-    const double mu = scenario_->fluid.viscosity_pa_s;
-    const double g = length(body_force_.g);
-    const auto velocity_of = [&](std::size_t j) { return j < before.size() ? before[j] : Vec3{}; };
-    for (std::size_t i = 0; i < viscosity_.size(); ++i) {
-        if (!bodies_->free(i)) {
+    const BodyForce& force = in_->body_force;
+    const double g = length(force.g);
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (!in_->bodies.free(i)) {
             continue;
         }
-        SumBound sum;
-        for (const Pair& n : pairs(i)) {
-            if (bodies_->role[n.j] == Role::slip) {
-                continue;
-            }
-            const double dv = length(velocity_of(n.j) - velocity_of(i));
-            const double dv_error = n.j == i ? 0 : errors_->velocity[i] + errors_->velocity[n.j] + dv;
-            sum.add(mu * bodies_->mass[n.j] / rho(n.j), mu * errors_->mass[n.j] / rho(n.j), n.kernel.lap_W,
-                    {dv, dv_error + rho_error(n.j) * dv});
-        }
-        viscosity_[i] = sum.error(terms(i) + 6);
-        const double force = rho(i) * g + length(step_->F_viscosity[i]) + length(step_->F_outlet[i]);
-        const double force_error = density[i] * g + rho(i) * body_force_.error + viscosity_[i] +
-                                   outlet_force_error(i, driven) + 4 * force;
-        const double a_error = (force_error + force * (density[i] / rho(i) + 1)) / rho(i);
-        start_velocity_[i] =
-            errors_->velocity[i] + dt_ * (a_error + 2 * force / rho(i)) + length(bodies_->velocity[i]);
+        viscosity_[i] = viscosity_error(i);
+        const double F = rho(i) * g + length(in_->step.F_viscosity[i]) + length(in_->step.F_outlet[i]);
+        const double F_error =
+            density[i] * g + rho(i) * force.error + viscosity_[i] + outlet_force_error(i) + 4 * F;
+        const double a_error = (F_error + F * (density[i] / rho(i) + 1)) / rho(i);
+        start_velocity_error_[i] += dt_ * (a_error + 2 * F / rho(i)) + length(in_->step.bodies.velocity[i]);
     }
 }
 
-/// (26): m / rho_0 p_outlet grad W, with p_outlet = p_const - rho_0 v^2 / 2 while v < 0.
-double StepBounds::outlet_force_error(std::size_t i, const SimulationState& driven) const
+double StepBounds::viscosity_error(std::size_t i) const
 {
-    if (scenario_->pressure.model != PressureModel::dfsph) {
-        return 0;
-    }
+    const double mu = scenario_->fluid.viscosity_pa_s;
+    const auto error_of = [&](std::size_t j) {
+        return j < count_ ? in_->errors.velocity[j] : ghost_velocity_error_[j - count_];
+    };
     SumBound sum;
     for (const Pair& n : pairs(i)) {
-        if (bodies_->role[n.j] != Role::outlet) {
+        if (in_->bodies.role[n.j] == Role::slip) {
             continue;
         }
-        const std::size_t k = driven.particles.kind[n.j] == Kind::outlet_1 ? 0 : 1;
-        const double v = driven.outlet_velocity.at(k);
-        const double p = reference::outlet_pressure(scenario_->outlet.pressure_pa, rho_0_, v);
-        const double dynamic = v < 0 ? rho_0_ * v * v / 2 : 0;
-        const double p_error = std::abs(scenario_->outlet.pressure_pa) + 5 * dynamic + std::abs(p) +
-                               rho_0_ * std::abs(v) * errors_->outlet_velocity.at(k);
-        sum.add(bodies_->mass[n.j] / rho_0_, 0, {std::abs(p), p_error}, n.kernel.grad_W);
+        const double dv = length(start_velocity(n.j) - start_velocity(i));
+        const double dv_error = n.j == i ? 0 : error_of(i) + error_of(n.j) + dv;
+        sum.add(mu * in_->bodies.mass[n.j] / rho(n.j), mu * in_->mass_error[n.j] / rho(n.j), n.kernel.lap_W,
+                {dv, dv_error + rho_error(n.j) * dv});
     }
     return sum.error(terms(i) + 6);
 }
 
+/// (26): 2 p sum m / rho_0 grad W, and rho_0 v^2 / (2 D) while the buffer moves inwards.
+double StepBounds::outlet_force_error(std::size_t i) const
+{
+    const Kind kind = in_->driven.particles.kind[i];
+    if (kind != Kind::outlet_1 && kind != Kind::outlet_2) {
+        return 0;
+    }
+    SumBound sum;
+    const Inexact p{2 * std::abs(in_->level.value), 2 * in_->level.error};
+    for (const Pair& n : pairs(i)) {
+        sum.add(in_->bodies.mass[n.j] / rho_0_, in_->mass_error[n.j] / rho_0_, p, n.kernel.grad_W);
+    }
+    const std::size_t k = kind == Kind::outlet_1 ? 0 : 1;
+    const double v = std::min(in_->driven.outlet_velocity.at(k), 0.0);
+    const double depth = opening_layers * h_ / scenario_->kernel.smoothing_length_spacings;
+    const double v_error = in_->errors.outlet_velocity.at(k);
+    const double inflow = rho_0_ * v_error * (std::abs(v) + rounding_.absolute(v_error)) / depth;
+    return sum.error(terms(i) + 6) + inflow + 8 * 0.5 * rho_0_ * v * v / depth;
+}
+
 /// v' = v* + dt a.
-void StepBounds::bound_pressure(const SimulationState& driven)
+void StepBounds::bound_pressure()
 {
     const bool dfsph = scenario_->pressure.model == PressureModel::dfsph;
-    for (std::size_t j = 0; !dfsph && j < driven.particles.size(); ++j) {
+    const std::vector<double>& p = in_->step.pressure;
+    for (std::size_t j = 0; !dfsph && j < count_; ++j) {
         const double kappa = scenario_->pressure.stiffness_m2_s2;
-        pressure[j] = kappa * (density[j] + 3 * rho(j)) + std::abs(step_->pressure[j]);
-        if (bodies_->role[j] == Role::outlet) {
-            const std::size_t k = driven.particles.kind[j] == Kind::outlet_1 ? 0 : 1;
-            const double v = driven.outlet_velocity.at(k);
-            pressure[j] = std::abs(scenario_->outlet.pressure_pa) + 4 * rho_0_ * v * v +
-                          rho_0_ * std::abs(v) * errors_->outlet_velocity.at(k);
-        }
+        pressure[j] = kappa * (density[j] + 3 * rho(j)) + std::abs(p[j]);
     }
-    for (std::size_t i = 0; i < velocity.size(); ++i) {
-        velocity[i] = start_velocity_[i];
-        if (bodies_->free(i)) {
-            const double a = length(step_->F_pressure[i]) / rho(i);
-            const double eos =
-                dfsph ? 0 : eos_error(i, step_->pressure, pressure) / rho(i) + a * (density[i] / rho(i) + 1);
-            acceleration_[i] = dfsph ? dfsph_error(i) : eos;
-            velocity[i] += dt_ * (acceleration_[i] + 2 * a) + length(step_->velocity[i]);
+    for (std::size_t i = 0; i < count_; ++i) {
+        velocity[i] = start_velocity_error_[i];
+        if (in_->bodies.free(i)) {
+            const double a = length(in_->step.F_pressure[i]) / rho(i);
+            acceleration_[i] =
+                dfsph ? dfsph_error(i) : eos_error(i, p, pressure) / rho(i) + a * (density[i] / rho(i) + 1);
+            velocity[i] += dt_ * (acceleration_[i] + 2 * a) + length(in_->step.velocity[i]);
         }
     }
 }
@@ -146,12 +194,12 @@ void StepBounds::bound_pressure(const SimulationState& driven)
 /// a = -sum m (p_i + p_j) / rho_0^2 grad W; the pressures are the candidate's own.
 double StepBounds::dfsph_error(std::size_t i) const
 {
+    const std::vector<double>& pressures = in_->step.pressure;
     SumBound sum;
     for (const Pair& n : pairs(i)) {
-        const double p_j = bodies_->free(n.j) ? step_->pressure[n.j] : 0;
-        const double p = std::abs(step_->pressure[i]) + std::abs(p_j);
-        sum.add(bodies_->mass[n.j] * p / (rho_0_ * rho_0_), errors_->mass[n.j] * p / (rho_0_ * rho_0_),
-                {1, 0}, n.kernel.grad_W);
+        const double p_j = in_->bodies.free(n.j) ? pressures[n.j] : pressures[i];
+        const double p = (std::abs(pressures[i]) + std::abs(p_j)) / (rho_0_ * rho_0_);
+        sum.add(in_->bodies.mass[n.j] * p, in_->mass_error[n.j] * p, {1, 0}, n.kernel.grad_W);
     }
     return sum.error(terms(i) + 8);
 }
@@ -161,64 +209,163 @@ double StepBounds::eos_error(std::size_t i, std::span<const double> p, std::span
 {
     SumBound sum;
     for (const Pair& n : pairs(i)) {
-        const bool mirror = bodies_->role[n.j] == Role::mirror || bodies_->role[n.j] == Role::slip;
-        const double p_j = mirror ? p[i] : p[n.j];
-        const double p_sum = std::abs(p[i]) + std::abs(p_j);
-        const double p_sum_error = p_error[i] + (mirror ? p_error[i] : p_error[n.j]);
-        sum.add(bodies_->mass[n.j] / (2 * rho(n.j)), errors_->mass[n.j] / (2 * rho(n.j)),
+        const std::size_t of = in_->bodies.free(n.j) ? n.j : i;
+        const double p_sum = std::abs(p[i]) + std::abs(p[of]);
+        const double p_sum_error = p_error[i] + p_error[of];
+        sum.add(in_->bodies.mass[n.j] / (2 * rho(n.j)), in_->mass_error[n.j] / (2 * rho(n.j)),
                 {p_sum, p_sum_error + rho_error(n.j) * p_sum}, n.kernel.grad_W);
     }
     return sum.error(terms(i) + 6);
 }
 
-/// (2) with the new velocity, and the residual of (3).
+/// (2) with the new velocity, and the residual of (3). What mirror images add may be rounded as the
+/// velocities of both bodies rather than their difference.
 void StepBounds::bound_divergence()
 {
-    const auto velocity_of = [&](std::size_t j) { return j < velocity.size() ? step_->velocity[j] : Vec3{}; };
-    const auto error_of = [&](std::size_t j) { return j < velocity.size() ? velocity[j] : 0; };
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (!in_->bodies.free(i)) {
+            continue;
+        }
+        SumBound sum;
+        double mirrored = 0;
+        for (const Pair& n : pairs(i)) {
+            const double m = in_->bodies.mass[n.j];
+            const double dv = length(end_velocity(i) - end_velocity(n.j));
+            const double dv_error = n.j == i ? 0 : end_velocity_error(i) + end_velocity_error(n.j) + dv;
+            const double w = weight(n.j);
+            sum.add(w * m, w * in_->mass_error[n.j], {dv, dv_error}, n.kernel.grad_W);
+            const double speeds = length(end_velocity(i)) + length(end_velocity(n.j));
+            mirrored += (w - 1) * m * speeds * n.kernel.grad_W.value;
+        }
+        // Over rho_0: one rounding more of what is summed, which the terms' sizes bound.
+        divergence[i] = (sum.error(terms(i) + 6) + (terms(i) + 6) * mirrored) / rho_0_;
+        residual[i] = divergence[i] + (source_error(i) + sum.size()) / rho_0_;
+    }
+}
+
+/// The mean drift and what is missing beside a void, over dt.
+double StepBounds::source_error(std::size_t i) const
+{
+    if (!corrects_density()) {
+        return 0;
+    }
+    const std::vector<double>& c = in_->driven.particles.drift;
+    WeightedMean<double> mean;
+    for (const Pair& n : pairs(i)) {
+        if (in_->bodies.blood(n.j)) {
+            mean.add(n.kernel.W, c[n.j]);
+        }
+    }
+    for (const Pair& n : pairs(i)) {
+        if (in_->bodies.blood(n.j)) {
+            mean.compare(n.kernel.W, c[n.j], in_->errors.drift[n.j]);
+        }
+    }
+    const double missing = rho(i) < guards::void_density * rho_0_ ? rho_0_ - rho(i) : 0;
+    const double missing_error = missing > 0 ? density[i] + rho_0_ + missing : 0;
+    return (mean.error(rounding_) + missing_error + 3 * (std::abs(mean.value()) + missing)) / dt_;
+}
+
+/// rho* = sum m W(r_ij + dt v_i - dt v_j), and the drift rho* - rho - dt Drho/Dt. A neighbor at the edge of
+/// the support, which only one of the two may see, counts as a whole where its way leads inside.
+void StepBounds::bound_prediction()
+{
+    const reference::Bodies& b = in_->bodies;
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (!b.blood(i)) {
+            continue;
+        }
+        SumBound sum;
+        double jump = 0;
+        const Vec3 way = dt_ * end_velocity(i);
+        for (const Pair& n : pairs(i)) {
+            if (n.seen == Truth::no) {
+                continue;
+            }
+            const Vec3 way_j = dt_ * end_velocity(n.j);
+            const Vec3 x = reference::difference(b.position[i], b.position[n.j], in_->box);
+            // The ways round twice, the sums once each; a body's distance to itself stays 0.
+            const double ways = length(way) + length(way_j);
+            const double error = n.difference + dt_ * (end_velocity_error(i) + end_velocity_error(n.j)) +
+                                 3 * ways + 2 * length(x);
+            const Inexact W = kernel_.of(length(x + way - way_j), n.j == i ? 0 : error).W;
+            predicted_[i] += b.mass[n.j] * W.value;
+            sum.add(b.mass[n.j], in_->mass_error[n.j], {1, 0}, W);
+            jump += n.seen == Truth::open ? rounding_.units(b.mass[n.j] * W.value) : 0;
+        }
+        const double error = sum.error(terms(i) + 2);
+        open[i] = jump > error;
+        predicted_error_[i] = error + jump;
+        drift[i] =
+            b.free(i) ? predicted_error_[i] + density[i] + dt_ * rho_0_ * divergence[i] + 3 * rho(i) : 0;
+    }
+}
+
+/// dt^2 a(kappa), the potential being the candidate's own, and the residual that it leaves.
+void StepBounds::bound_correction()
+{
     const double beta = scenario_->pressure.density_correction;
-    for (std::size_t i = 0; i < velocity.size(); ++i) {
-        if (!bodies_->free(i)) {
+    const auto way = [&](std::size_t j) { return j < count_ ? in_->step.correction[j] : Vec3{}; };
+    const auto way_error = [&](std::size_t j) { return j < count_ ? correction[j] : 0; };
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (in_->bodies.blood(i)) {
+            correction[i] = dt_ * dt_ * kappa_error(i) + 4 * length(way(i));
+        }
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (!in_->bodies.blood(i)) {
             continue;
         }
         SumBound sum;
         for (const Pair& n : pairs(i)) {
-            const double dv = length(velocity_of(i) - velocity_of(n.j));
-            const double dv_error = n.j == i ? 0 : error_of(i) + error_of(n.j) + dv;
-            sum.add(bodies_->mass[n.j], errors_->mass[n.j], {dv, dv_error}, n.kernel.grad_W);
+            const double dx = length(way(i) - way(n.j));
+            const double dx_error = n.j == i ? 0 : way_error(i) + way_error(n.j) + dx;
+            sum.add(in_->bodies.mass[n.j], in_->mass_error[n.j], {dx, dx_error}, n.kernel.grad_W);
         }
-        // Over rho_0: one rounding more of what is summed, which the terms' sizes bound.
-        divergence[i] = sum.error(terms(i) + 6) / rho_0_;
-        const double correction = beta * std::abs(rho(i) - rho_0_) / dt_;
-        residual[i] =
-            divergence[i] + (beta * (density[i] + rho_0_) / dt_ + 5 * correction + sum.size()) / rho_0_;
+        const double excess = std::abs(predicted_[i] - rho_0_);
+        const double source = beta * (predicted_error_[i] + rho_0_ + 4 * excess);
+        correction_residual[i] = (source + sum.error(terms(i) + 6) + sum.size()) / (dt_ * rho_0_);
     }
+}
+
+/// As dfsph_error; only blood has a potential.
+double StepBounds::kappa_error(std::size_t i) const
+{
+    const std::vector<double>& kappa = in_->moved.kappa;
+    SumBound sum;
+    for (const Pair& n : pairs(i)) {
+        const double kappa_j = in_->bodies.blood(n.j) ? kappa[n.j] : 0;
+        const double k = (std::abs(kappa[i]) + std::abs(kappa_j)) / (rho_0_ * rho_0_);
+        sum.add(in_->bodies.mass[n.j] * k, in_->mass_error[n.j] * k, {1, 0}, n.kernel.grad_W);
+    }
+    return sum.error(terms(i) + 8);
 }
 
 /// m / rho |rho g + F_viscosity + F_pressure|; F_pressure = rho a in model dfsph.
 InexactForce StepBounds::force(std::size_t i) const
 {
-    const double m = bodies_->mass[i];
-    const Vec3& g = body_force_.g;
+    const double m = in_->bodies.mass[i];
+    const Vec3& g = in_->body_force.g;
+    const reference::FlowStep& step = in_->step;
     const auto inexact_force = [&](const Vec3& F_pressure, double pressure_error) {
-        const Vec3 force = reference::momentum_force(rho(i), g, step_->F_viscosity[i], F_pressure);
-        const double magnitude = rho(i) * length(g) + length(step_->F_viscosity[i]) + length(F_pressure);
-        const double error = density[i] * length(g) + rho(i) * body_force_.error + viscosity_[i] +
+        const Vec3 force = reference::momentum_force(rho(i), g, step.F_viscosity[i], F_pressure);
+        const double magnitude = rho(i) * length(g) + length(step.F_viscosity[i]) + length(F_pressure);
+        const double error = density[i] * length(g) + rho(i) * in_->body_force.error + viscosity_[i] +
                              pressure_error + 4 * magnitude;
         const double F = length(m / rho(i) * force);
         return Inexact{F, m / rho(i) * error + F * (density[i] / rho(i) + 7)};
     };
-    std::vector<double> p(bodies_->size(), 0);
-    std::vector<double> p_error(bodies_->size(), 0);
+    std::vector<double> p(in_->bodies.size(), 0);
+    std::vector<double> p_error(in_->bodies.size(), 0);
     for (const Pair& n : pairs(i)) {
         const double kappa = scenario_->pressure.stiffness_m2_s2;
         p[n.j] = reference::equation_of_state(kappa, rho(n.j), rho_0_);
-        p_error[n.j] = kappa * ((n.j < density.size() ? density[n.j] : 0) + 3 * rho(n.j)) + std::abs(p[n.j]);
+        p_error[n.j] = kappa * ((n.j < count_ ? density[n.j] : 0) + 3 * rho(n.j)) + std::abs(p[n.j]);
     }
-    const double a = length(step_->F_pressure[i]) / rho(i);
+    const double a = length(step.F_pressure[i]) / rho(i);
     const double dfsph = rho(i) * acceleration_[i] + a * density[i] + 2 * rho(i) * a;
-    const Vec3 F_eos = reference::pressure_force(step_->bodies, step_->neighbors.of(i), step_->rho, p, i);
-    return {inexact_force(step_->F_pressure[i], dfsph), inexact_force(F_eos, eos_error(i, p, p_error))};
+    const Vec3 F_eos = reference::pressure_force(step.bodies, step.neighbors.of(i), step.rho, p, i);
+    return {inexact_force(step.F_pressure[i], dfsph), inexact_force(F_eos, eos_error(i, p, p_error))};
 }
 
 } // namespace aneurysm::bounds

@@ -58,6 +58,7 @@ void disturb(SimulationState& state, const bounds::ParticleErrors& errors, const
         if (p.kind[i] != Kind::reserve) {
             p.position[i] += random.vector(rounding.absolute(errors.position[i]));
             p.velocity[i] += random.vector(rounding.absolute(errors.velocity[i]));
+            p.drift[i] += random.number(rounding.absolute(errors.drift[i]));
         }
     }
     for (std::size_t k = 0; k < 2; ++k) {

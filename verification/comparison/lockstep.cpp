@@ -82,13 +82,18 @@ public:
 private:
     SimulationState start() const;
     void solve_alone(const SimulationState& start);
+    std::vector<double> pressure_from(const SimulationState& start) const;
     FrameCheck check(const Pair& pair, const bounds::FrameRange& range, Extent extent);
     void check_particles(const Pair& pair, Extent extent, FrameCheck& check) const;
     static void check_record(const Pair& pair, const bounds::FrameRange& range, Extent extent,
                              FrameCheck& check);
     void check_impact(const FrameRecord& record, const bounds::FrameRange& range, FrameCheck& check) const;
     void check_state(const Pair& pair, const bounds::FrameRange& range, FrameCheck& check) const;
-    void check_solve(const Pair& pair, const bounds::FrameRange& range, FrameCheck& check);
+    bool solves() const { return scenario_.pressure.model == PressureModel::dfsph; }
+    bool corrects() const { return solves() && scenario_.pressure.density_correction > 0; }
+    void check_solutions(const Pair& pair, const bounds::FrameRange& range, FrameCheck& check);
+    void check_taken(const Pair& pair, FrameCheck& check) const;
+    void check_iterations(const FrameRecord& record, FrameCheck& check) const;
 
     const Scenario& scenario_;
     Simulation& candidate_;
@@ -98,7 +103,7 @@ private:
     reference::Simulation reference_;
     bounds::FrameBounds bounds_;
     ComparisonResult result_;
-    std::int64_t own_iterations_ = 0;
+    FrameRecord own_;                ///< of the reference with its own solves
     double pressure_difference_ = 0; ///< between the candidate's solves and the reference's [Pa]
     double largest_pressure_ = 0;    ///< [Pa]
     std::int64_t unconverged_ = 0;   ///< frames whose solve ended at its iteration limit
@@ -120,11 +125,11 @@ SimulationState Lockstep::start() const
     return state;
 }
 
-/// The reference's own solve, for its number of iterations.
+/// The reference's own solves, for their numbers of iterations.
 void Lockstep::solve_alone(const SimulationState& start)
 {
     reference_.restart(start);
-    own_iterations_ = reference_.advance().iterations;
+    own_ = reference_.advance();
     const std::vector<double>& own = reference_.solved_pressure();
     const std::vector<double>& p = candidate_.solved_pressure();
     for (std::size_t i = 0; i < std::min(own.size(), p.size()); ++i) {
@@ -133,16 +138,34 @@ void Lockstep::solve_alone(const SimulationState& start)
     }
 }
 
+/// The candidate's solved pressures. One at its lowest value is there for the reference, too, whose lowest
+/// value may differ by rounding: else it would take it for one that still acts.
+std::vector<double> Lockstep::pressure_from(const SimulationState& start) const
+{
+    std::vector<double> pressure = candidate_.solved_pressure();
+    const std::size_t count = start.particles.size();
+    const auto substeps = static_cast<double>(scenario_.time.substeps);
+    for (std::size_t k = 0; k < pressure.size(); ++k) {
+        const double steps = static_cast<double>(start.frame) + static_cast<double>(k / count + 1) / substeps;
+        const bounds::Inexact lowest =
+            bounds_.lowest_pressure(start.aneurysm.phase, steps * scenario_.time.frame_s);
+        const bool is_lowest = std::abs(pressure[k] - lowest.value) <= rounding_.absolute(lowest.error);
+        pressure[k] = is_lowest ? lowest.value : pressure[k];
+    }
+    return pressure;
+}
+
 FrameRecord Lockstep::frame()
 {
     const SimulationState begin = start();
     const FrameRecord record = candidate_.advance();
-    if (is_double_ && scenario_.pressure.model == PressureModel::dfsph) {
+    if (is_double_ && solves()) {
         solve_alone(begin);
     }
     reference_.restart(begin);
     bounds_.begin(begin.particles.size());
-    const FrameRecord expected = reference_.advance(candidate_.solved_pressure(), bounds_);
+    const std::vector<double> pressure = pressure_from(begin);
+    const FrameRecord expected = reference_.advance({pressure, candidate_.solved_kappa()}, bounds_);
     const bounds::FrameRange range = bounds_.finish(begin, reference_.state(), expected);
     const bounds::ParticleErrors& errors = bounds_.errors();
     result_.open_particles += std::ranges::count(errors.open, true);
@@ -170,46 +193,44 @@ FrameCheck Lockstep::check(const Pair& pair, const bounds::FrameRange& range, Ex
     check_state(pair, range, check);
     check_record(pair, range, extent, check);
     check_impact(pair.candidate_record, range, check);
-    check_solve(pair, range, check);
+    check_solutions(pair, range, check);
     return check;
 }
 
-/// Places and velocities of what waits in the reserve, and the pressure of what isn't blood, mean nothing.
+/// What waits in the reserve has neither place, velocity nor potential that means something.
 void Lockstep::check_particles(const Pair& pair, Extent extent, FrameCheck& check) const
 {
     const Particles& p = pair.candidate.particles;
     const Particles& q = pair.reference.particles;
     const bounds::ParticleErrors& e = bounds_.errors();
     const reference::Period& box = reference_.vessel().period();
-    check.field("position [m]");
-    check.field("velocity [m/s]");
-    check.field("pressure [Pa]");
-    check.field("density [kg/m^3]");
-    if (p.size() != q.size() || p.kind.size() != q.size() || p.velocity.size() != q.size() ||
-        p.pressure.size() != q.size() || pair.candidate_density.size() != q.size()) {
+    const auto same_size = [&](const auto&... fields) { return (... && (fields.size() == q.size())); };
+    if (!same_size(p, p.kind, p.velocity, p.pressure, p.kappa, p.drift, pair.candidate_density)) {
         check.field("particles").add(1, 0);
         return;
     }
     for (std::size_t i = 0; i < q.size(); ++i) {
         const auto index = static_cast<std::int64_t>(i);
+        const auto compare = [&](const char* field, double difference, double units) {
+            check.field(field).add(difference, rounding_.absolute(units), index);
+        };
         if (extent == Extent::all) {
-            check.field("kind").add(p.kind[i] == q.kind[i] || p.kind[i] == e.other_kind[i] ? 0 : 1, 0, index);
-        } else if (p.kind[i] != q.kind[i] || q.kind[i] != pair.start.particles.kind[i]) {
+            compare("kind", p.kind[i] == q.kind[i] || p.kind[i] == e.other_kind[i] ? 0 : 1, 0);
+        } else if (p.kind[i] != q.kind[i] || q.kind[i] != pair.start.particles.kind[i] || e.open[i]) {
             continue;
         }
-        check.field("density [kg/m^3]")
-            .add(std::abs(pair.candidate_density[i] - pair.reference_density[i]),
-                 rounding_.absolute(e.density[i]), index);
-        if (q.kind[i] != Kind::reserve && p.kind[i] != Kind::reserve) {
-            check.field("position [m]")
-                .add(length(reference::difference(p.position[i], q.position[i], box)),
-                     rounding_.absolute(e.position[i]), index);
-            check.field("velocity [m/s]")
-                .add(length(p.velocity[i] - q.velocity[i]), rounding_.absolute(e.velocity[i]), index);
+        compare("density [kg/m^3]", std::abs(pair.candidate_density[i] - pair.reference_density[i]),
+                e.density[i]);
+        if (q.kind[i] == Kind::reserve || p.kind[i] == Kind::reserve) {
+            continue;
         }
-        if (is_free(q.kind[i])) {
-            check.field("pressure [Pa]")
-                .add(std::abs(p.pressure[i] - q.pressure[i]), rounding_.absolute(e.pressure[i]), index);
+        compare("position [m]", length(reference::difference(p.position[i], q.position[i], box)),
+                e.position[i]);
+        compare("velocity [m/s]", length(p.velocity[i] - q.velocity[i]), e.velocity[i]);
+        compare("kappa [Pa]", std::abs(p.kappa[i] - q.kappa[i]), 0);
+        compare("drift [kg/m^3]", std::abs(p.drift[i] - q.drift[i]), e.drift[i]);
+        if (is_free(q.kind[i]) && p.kind[i] == q.kind[i]) {
+            compare("pressure [Pa]", std::abs(p.pressure[i] - q.pressure[i]), e.pressure[i]);
         }
     }
 }
@@ -224,7 +245,7 @@ void Lockstep::check_record(const Pair& pair, const bounds::FrameRange& range, E
     const std::vector<std::string_view> exchange = exchange_columns();
     for (std::size_t k = 0; k < value.size(); ++k) {
         const std::string_view name = value[k].name;
-        const bool elsewhere = name == "iterations" || name == "impact_particle";
+        const bool elsewhere = name == "iterations" || name == "corrections" || name == "impact_particle";
         const bool dropped = extent != Extent::all && std::ranges::find(exchange, name) != exchange.end();
         if (!elsewhere && !dropped) {
             check.number(name, value[k].value, expected[k].value, low[k].value, high[k].value);
@@ -274,36 +295,68 @@ void Lockstep::check_state(const Pair& pair, const bounds::FrameRange& range, Fr
     }
 }
 
-/// That the candidate's pressures solve (3).
-void Lockstep::check_solve(const Pair& pair, const bounds::FrameRange& range, FrameCheck& check)
+/// That the candidate's pressures and its correction of the density solve (3).
+void Lockstep::check_solutions(const Pair& pair, const bounds::FrameRange& range, FrameCheck& check)
 {
-    if (scenario_.pressure.model != PressureModel::dfsph) {
+    if (!solves()) {
         return;
     }
+    check_taken(pair, check);
     const FrameRecord& expected = pair.reference_record;
-    const std::vector<double>& given = candidate_.solved_pressure();
-    const std::vector<double>& taken = bounds_.taken_pressure();
-    FieldCheck& pressure = check.field("solution of (3): pressure >= 0 [Pa]");
-    for (std::size_t k = 0; k < taken.size(); ++k) {
-        if (!std::isnan(taken[k]) || std::isnan(given[k])) {
-            pressure.add(std::abs(given[k] - taken[k]) + std::max(0.0, -given[k]), 0,
-                         static_cast<std::int64_t>(k % pair.start.particles.size()));
-        }
-    }
-    if (pair.candidate_record.iterations >= scenario_.pressure.max_iterations) {
-        ++unconverged_;
+    const auto& limits = scenario_.pressure;
+    const auto within = [&](const char* name, double residual, double tolerance, double error) {
+        check.field("solution of (3): " + std::string(name) + " [1/s]").add(residual, tolerance + error);
+    };
+    if (pair.candidate_record.iterations < limits.max_iterations) {
+        within("residual_mean", expected.residual_mean, limits.tolerance_per_s,
+               range.high.residual_mean - expected.residual_mean);
+        within("residual_max", expected.residual_max, limits.max_tolerance_per_s,
+               range.high.residual_max - expected.residual_max);
     } else {
-        check.field("solution of (3): residual_mean [1/s]")
-            .add(expected.residual_mean,
-                 scenario_.pressure.tolerance_per_s + range.high.residual_mean - expected.residual_mean);
-        check.field("solution of (3): residual_max [1/s]")
-            .add(expected.residual_max,
-                 scenario_.pressure.max_tolerance_per_s + range.high.residual_max - expected.residual_max);
+        ++unconverged_;
+    }
+    const bounds::SolveEnd& correction = bounds_.correction();
+    if (corrects() && pair.candidate_record.corrections < limits.correction_max_iterations) {
+        within("correction's mean residual", correction.mean, limits.correction_tolerance_per_s,
+               correction.mean_error);
+        within("correction's largest residual", correction.largest, limits.correction_max_tolerance_per_s,
+               correction.largest_error);
+    } else if (corrects()) {
+        ++unconverged_;
     }
     if (is_double_) {
-        check.number("iterations", static_cast<double>(pair.candidate_record.iterations),
-                     static_cast<double>(own_iterations_), 0);
+        check_iterations(pair.candidate_record, check);
     }
+}
+
+/// The reference takes no potential below its lowest value, and none of spray: what the candidate gives must
+/// be what it has taken.
+void Lockstep::check_taken(const Pair& pair, FrameCheck& check) const
+{
+    const std::size_t count = pair.start.particles.size();
+    const auto check_all = [&](const char* name, const std::vector<double>& given,
+                               const std::vector<double>& taken) {
+        FieldCheck& field = check.field(name);
+        for (std::size_t k = 0; k < taken.size(); ++k) {
+            if (!std::isnan(taken[k]) || std::isnan(given[k])) {
+                field.add(std::abs(given[k] - taken[k]), 0, static_cast<std::int64_t>(k % count));
+            }
+        }
+    };
+    check_all("solution of (3): pressure >= lowest [Pa]", pressure_from(pair.start),
+              bounds_.taken_pressure());
+    if (corrects()) {
+        check_all("solution of (3): kappa >= lowest [Pa]", candidate_.solved_kappa(), bounds_.taken_kappa());
+    }
+}
+
+void Lockstep::check_iterations(const FrameRecord& record, FrameCheck& check) const
+{
+    const auto same = [&](const char* name, std::int64_t value, std::int64_t expected) {
+        check.number(name, static_cast<double>(value), static_cast<double>(expected), 0);
+    };
+    same("iterations", record.iterations, own_.iterations);
+    same("corrections", record.corrections, own_.corrections);
 }
 
 ComparisonResult Lockstep::result()
@@ -320,7 +373,7 @@ ComparisonResult Lockstep::result()
     if (unconverged_ > 0) {
         result_.notes.push_back(std::to_string(unconverged_) + " frames at the limit of iterations");
     }
-    if (is_double_ && scenario_.pressure.model == PressureModel::dfsph) {
+    if (is_double_ && solves()) {
         result_.notes.push_back("pressures differ from the reference's own solves by at most " +
                                 std::to_string(pressure_difference_) + " Pa of " +
                                 std::to_string(largest_pressure_) + " Pa");
