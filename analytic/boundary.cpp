@@ -102,21 +102,22 @@ double exact_transport(Waveform waveform)
 Estimate outlet_force(KernelName name, double h, double dx, double p, double z)
 {
     const int reach = static_cast<int>(std::ceil(2 * h / dx)) + 1;
-    Estimate sum;
-    for (int layer = 0; layer < reach; ++layer) {
-        const double depth = z + (layer + 0.5) * dx;
+    double sum = 0;
+    double magnitude = 0;
+    const int layers = static_cast<int>(std::ceil(z / dx)) + reach;
+    for (int layer = 0; layer < layers; ++layer) {
+        const double below = (layer + 0.5) * dx - z;
         for (int i = -reach; i <= reach; ++i) {
             for (int j = -reach; j <= reach; ++j) {
-                const double r = std::sqrt(depth * depth + dx * dx * (i * i + j * j));
-                const double term = -kernel_slope(name, h, r) * depth / r;
-                sum.value += term;
-                sum.error += 32 * u * std::abs(term);
+                const double r = std::sqrt(below * below + dx * dx * (i * i + j * j));
+                const double term = r > 0 ? -kernel_slope(name, h, r) * below / r : 0;
+                sum += term;
+                magnitude += std::abs(term);
             }
         }
     }
-    const double scale = p * dx * dx * dx;
-    const double added = reach * (2 * reach + 1) * (2 * reach + 1) * u * sum.value;
-    return {scale * sum.value, scale * (sum.error + added)};
+    const double scale = 2 * p * dx * dx * dx;
+    return {scale * sum, scale * (32 + layers * (2 * reach + 1) * (2 * reach + 1)) * u * magnitude};
 }
 
 Estimate outlet_force_continuum(KernelName name, double h, double p, double z)
@@ -130,7 +131,7 @@ Estimate outlet_force_continuum(KernelName name, double h, double p, double z)
             sum = {sum.value + part.value, sum.error + part.error};
         }
     }
-    return {p * sum.value, p * sum.error};
+    return {2 * p * sum.value, 2 * p * sum.error};
 }
 
 double started_flow(double U, double nu, double t, double y)

@@ -27,13 +27,13 @@ Estimate cycle_transport(const std::function<double(double)>& velocity, const st
 /// Eq. (25)  The exact transport of each waveform, in units of v_0 T: 0, 2/pi, 1/2, 1.
 double exact_transport(Waveform waveform);
 
-/// Eq. (26)  Force per volume at the distance z from the plane end of a half space of ghosts on a cubic
-/// lattice of spacing dx (ghosts at -dx/2, -3/2 dx, ...), from the kernel's own text: p dx^3 sum_j |dW/dz|
-/// [N/m^3], along the normal out of the ghosts.
+/// Eq. (26)  Force per volume on blood at the depth z in a half space of blood on a cubic lattice of spacing dx
+/// (at the depths dx/2, 3/2 dx, ..., one of the columns through z), from the kernel's own text: 2 p dx^3 sum_j
+/// dW/dz [N/m^3], along the normal into the half space.
 Estimate outlet_force(KernelName name, double h, double dx, double p, double z);
 
-/// Eq. (26)  The same for a continuum of ghosts, p int W dx dy over the plane at the distance z, by
-/// quadrature. Over all z > 0 it amounts to p/2: the other half of p acts inside the ghosts.
+/// Eq. (26)  The same for a continuum, 2 p int W dx dy over the plane at the distance z, by quadrature. Over
+/// all depths it amounts to p.
 Estimate outlet_force_continuum(KernelName name, double h, double p, double z);
 
 /// Eq. (27)  Velocity at the distance y from a wall at rest, t after the fluid was set in motion with U

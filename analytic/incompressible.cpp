@@ -220,7 +220,7 @@ Iteration accelerated_two_bodies(const TwoBodies& bodies, double omega, double d
     a.source.value = a.per_residual * bodies.residual;
     a.source.error = (2 * 32 + 12) * u * std::abs(a.source.value); // 32 u of the slope, squared
     a.y = a.p = bodies.pressure;
-    return accelerate({a}, n, 0);
+    return accelerate({a}, n, bodies.lowest);
 }
 
 double largest_root(double theta, double g)

@@ -58,9 +58,10 @@ struct TwoBodies {
     double rho_0 = 0;    ///< [kg/m^3]
     double pressure = 0; ///< at the start [Pa]
     double residual = 0; ///< without pressure [kg/(m^3 s)]
+    double lowest = 0;   ///< of the pressures [Pa]
 };
 
-/// Eq. (3)  The pressure y of two bodies after 0 to n iterations, p and y not below 0. The field `pressure`
+/// Eq. (3)  The pressure y of two bodies after 0 to n iterations, p and y not below `lowest`. The field `pressure`
 /// counts from 0.
 Iteration accelerated_two_bodies(const TwoBodies& bodies, double omega, double dt, int n);
 

@@ -126,15 +126,19 @@ double murray_imbalance(double r_0, const std::vector<double>& daughters)
     return imbalance({pow(Precise(r_0), 3), -sum});
 }
 
-double outlet_force_imbalance(double m_j, double rho_0, double p_const, double dW_dx, double F)
+double outlet_force_imbalance(const std::vector<double>& m, double rho_0, double p,
+                              const std::vector<double>& dW_dx, double F)
 {
-    return imbalance({Precise(F) * rho_0, Precise(dW_dx) * p_const * m_j});
+    std::vector<Precise> terms{Precise(F) * rho_0};
+    for (std::size_t j = 0; j < m.size(); ++j) {
+        terms.push_back(-2 * Precise(p) * m[j] * dW_dx[j]);
+    }
+    return imbalance(terms);
 }
 
-double outlet_pressure_imbalance(double p_const, double rho_0, double v, double p)
+double inflow_imbalance(double rho_0, double v, double D, double F)
 {
-    const Precise stagnation = v >= 0 ? Precise(0) : Precise(rho_0) * v * v / 2;
-    return imbalance({Precise(p), stagnation, -Precise(p_const)});
+    return imbalance({Precise(F) * D, -Precise(rho_0) * v * v / 2});
 }
 
 double oscillator_residual(double m, double k, double F, double dt, double u_before, double u, double u_after)

@@ -90,12 +90,12 @@ double developed_step_imbalance(double h, double alpha, double dR, double larges
 /// Eq. (24)  r_0^3 = sum of the daughters' r^3; an error of all r counts three times.
 double murray_imbalance(double r_0, const std::vector<double>& daughters);
 
-/// Eq. (26)  F rho_0 = -m_j p_const dW/dx, of one component.
-double outlet_force_imbalance(double m_j, double rho_0, double p_const, double dW_dx, double F);
+/// Eq. (26)  F rho_0 = 2 p sum_j m_j dW_j/dx, of one component.
+double outlet_force_imbalance(const std::vector<double>& m, double rho_0, double p,
+                              const std::vector<double>& dW_dx, double F);
 
-/// Pressure of an outlet: p = p_const while blood leaves (v >= 0),
-/// p + rho_0 v^2/2 = p_const while it comes from rest.
-double outlet_pressure_imbalance(double p_const, double rho_0, double v, double p);
+/// Work over the depth D of a buffer = energy of the blood that comes back through it from rest, F D = rho_0 v^2/2.
+double inflow_imbalance(double rho_0, double v, double D, double F);
 
 /// Eq. (28)  F - k u - m (u_after - 2 u + u_before)/dt^2, which symplectic Euler steps make 0 [N].
 double oscillator_residual(double m, double k, double F, double dt, double u_before, double u,

@@ -78,6 +78,14 @@ void for_each_image(const Cloud& c, std::size_t i, Visit visit)
     }
 }
 
+/// sum / weights.
+Estimate mean_of(const ExactSum& sum, const ExactSum& weights)
+{
+    const auto W = static_cast<double>(weights.value());
+    const auto mean = static_cast<double>(sum.value() / weights.value());
+    return {mean, (sum.error() + std::abs(mean) * (weights.error() + u * W)) / W};
+}
+
 /// 1/(|sum|^2 + squares).
 Estimate factor_of(const ExactVectorSum& sum, const ExactSum& squares)
 {
@@ -93,24 +101,43 @@ Estimate factor_of(const ExactVectorSum& sum, const ExactSum& squares)
 
 } // namespace
 
-ExactPairs exact_pairs(const Cloud& c, double mu, double rho_0, std::size_t i)
+ExactPairs exact_pairs(const Cloud& c, double mu, double rho_0, double time, std::size_t i)
 {
     const double H = 2 * c.h;
     const double largest_slope = exact_kernel(c.kernel, c.h, 0, 0).value / c.h; // its order of magnitude
     const double largest_laplacian = 45 / (std::acos(-1.0) * std::pow(H, 5));
     ExactSum rate;
     ExactSum density;
+    ExactSum density_ahead;
+    ExactSum weights;
+    ExactSum pressures;
+    ExactSum free_weights;
+    ExactVectorSum free_velocities;
     ExactSum squares;
     ExactVectorSum pressure_force;
     ExactVectorSum viscosity_force;
     ExactVectorSum acceleration;
     ExactVectorSum gradients;
+    ExactVectorSum single_gradients;
     ExactPairs result;
     for_each_image(c, i, [&](std::size_t j, const Vector3d& x) {
         const double r = x.norm(); // rounded four times
         const Precise m = c.mass[j];
         const Exact W = exact_kernel(c.kernel, c.h, r, 4 * u);
-        density.add(m, W.value, W.change + u * W.value);
+        const double of_W = W.change + u * W.value;
+        density.add(m, W.value, of_W);
+        const double moved = (x + time * (c.velocity[i] - c.velocity[j])).norm();
+        const Exact ahead = exact_kernel(c.kernel, c.h, moved, 4 * u);
+        density_ahead.add(m, ahead.value, ahead.change + u * ahead.value);
+        weights.add(1, W.value, of_W);
+        pressures.add(c.pressure[j], W.value, of_W);
+        if (c.free[j]) {
+            free_weights.add(1, W.value, of_W);
+            for (Eigen::Index a = 0; a < 3; ++a) {
+                free_velocities.at(static_cast<std::size_t>(a))
+                    .add(-Precise(c.velocity[j](a)), W.value, of_W);
+            }
+        }
         if (r == 0) {
             return; // W's slope vanishes, and so does v_i - v_i
         }
@@ -120,12 +147,15 @@ ExactPairs exact_pairs(const Cloud& c, double mu, double rho_0, std::size_t i)
         const Precise p_i = c.pressure[i];
         const Precise p_j = c.free[j] ? c.pressure[j] : c.pressure[i];
         add(pressure_force, -m * (p_i + p_j) / (2 * Precise(c.density[j])), slope, of_slope);
-        add(acceleration, -m * (p_i + (c.free[j] ? p_j : Precise(0))) / (Precise(rho_0) * rho_0), slope,
-            of_slope);
-        add(gradients, m, slope, of_slope);
+        const bool mirror = c.given == Given::mirrors && !c.free[j];
+        const Precise w = mirror ? 2 : 1;
+        add(acceleration, -m * (p_i + (c.free[j] || mirror ? p_j : Precise(0))) / (Precise(rho_0) * rho_0),
+            slope, of_slope);
+        add(gradients, w * m, slope, of_slope);
+        add(single_gradients, m, slope, of_slope);
         const Vector3d v = c.velocity[j] - c.velocity[i];
         for (Eigen::Index a = 0; a < 3; ++a) {
-            rate.add(-m * (Precise(c.velocity[j](a)) - c.velocity[i](a)), slope(a), of_slope);
+            rate.add(-w * m * (Precise(c.velocity[j](a)) - c.velocity[i](a)), slope(a), of_slope);
             if (c.free[j]) {
                 squares.add(m * m * slope(a), slope(a), 2 * of_slope);
             }
@@ -139,6 +169,14 @@ ExactPairs exact_pairs(const Cloud& c, double mu, double rho_0, std::size_t i)
     });
     result.density_rate = rate.estimate();
     result.density = density.estimate();
+    result.density_ahead = density_ahead.estimate();
+    result.mean = mean_of(pressures, weights);
+    for (Eigen::Index a = 0; a < 3; ++a) {
+        const Estimate v = mean_of(free_velocities.at(static_cast<std::size_t>(a)), free_weights);
+        result.no_slip_velocity.value(a) = v.value;
+        result.no_slip_velocity.error = std::max(result.no_slip_velocity.error, v.error);
+    }
+    result.outlet_force = estimate(single_gradients);
     result.pressure_force = estimate(pressure_force);
     result.viscosity_force = estimate(viscosity_force);
     result.pressure_acceleration = estimate(acceleration);

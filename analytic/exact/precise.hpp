@@ -5,7 +5,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include <initializer_list>
+#include <vector>
 
 namespace aneurysm::analytic
 {
@@ -20,7 +20,7 @@ inline Precise precise_pi()
 
 /// What is left over of terms that should add up to 0, over half the sum of their magnitudes: where one
 /// number is off by a relative amount, about that times its terms' share. 0 if all terms are 0.
-inline double imbalance(std::initializer_list<Precise> terms)
+inline double imbalance(const std::vector<Precise>& terms)
 {
     Precise sum = 0;
     Precise size = 0;

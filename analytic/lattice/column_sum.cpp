@@ -53,8 +53,7 @@ LatticeDuct lattice_tube(const Lattice& lattice, double rho_0, double mu, double
 RadialKernel density_kernel(const Lattice& l)
 {
     const double at = l.kernel == KernelName::cubic_spline ? 2 * l.h / 3 : l.h / 2;
-    return {[l](double r) { return kernel(l.kernel, l.h, r); },
-            [l](double r) { return kernel_slope(l.kernel, l.h, r); }, kernel(l.kernel, l.h, 0),
+    return {[l](double r) { return kernel(l.kernel, l.h, r); }, kernel(l.kernel, l.h, 0),
             -kernel_slope(l.kernel, l.h, at)};
 }
 
@@ -62,11 +61,10 @@ RadialKernel viscosity_kernel(const Lattice& l)
 {
     const double H = 2 * l.h;
     const double at_0 = 45 / (pi * std::pow(H, 5));
-    return {[H, at_0](double r) { return r > 0 ? viscosity_kernel_laplacian(H, r) : at_0; },
-            [H, at_0](double) { return -at_0 / H; }, at_0, at_0 / H};
+    return {[H, at_0](double r) { return r > 0 ? viscosity_kernel_laplacian(H, r) : at_0; }, at_0, at_0 / H};
 }
 
-ColumnSum column_sum(const LatticeDuct& duct, const Vector2d& x, double s, const RadialKernel& kernel)
+ColumnSum column_sum(const LatticeDuct& duct, const Vector2d& x, const RadialKernel& kernel)
 {
     const double dx = duct.lattice.dx;
     const double H = 2 * duct.lattice.h;
@@ -74,16 +72,13 @@ ColumnSum column_sum(const LatticeDuct& duct, const Vector2d& x, double s, const
     if (x.norm() > H) {
         return sum;
     }
-    const double start = s - dx * std::round(s / dx);
     const int reach = static_cast<int>(std::ceil(H / dx)) + 1;
     const int layers = duct.layered ? reach : 0;
     for (int k = -reach; k <= reach; ++k) {
         for (int j = -layers; j <= layers; ++j) {
-            const double along = start + k * dx;
-            const double r = std::hypot(x(0), x(1) + j * dx, along);
+            const double r = std::hypot(x(0), x(1) + j * dx, k * dx);
             if (r <= H) {
                 sum.value += kernel.f(r);
-                sum.slope += r > 0 ? kernel.slope(r) * along / r : 0;
                 ++sum.terms;
             }
         }

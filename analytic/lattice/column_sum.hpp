@@ -40,9 +40,8 @@ LatticeDuct lattice_tube(const Lattice& lattice, double rho_0, double mu, double
 /// A function of r with the support 2 h.
 struct RadialKernel {
     std::function<double(double)> f;
-    std::function<double(double)> slope; ///< df/dr
-    double largest = 0;                  ///< |f|
-    double steepest = 0;                 ///< |df/dr|
+    double largest = 0;  ///< |f|
+    double steepest = 0; ///< |df/dr|
 };
 RadialKernel density_kernel(const Lattice& lattice);   ///< W [1/m^3]
 RadialKernel viscosity_kernel(const Lattice& lattice); ///< lap W of (7) [1/m^5]
@@ -50,7 +49,6 @@ RadialKernel viscosity_kernel(const Lattice& lattice); ///< lap W of (7) [1/m^5]
 /// A sum of the kernel over the particles of a column, and what it may be off by in another text.
 struct ColumnSum {
     double value = 0;
-    double slope = 0;       ///< how it changes as the column slides [1/m]
     double of_rounding = 0; ///< per roundoff: n additions, 40 for each term, 16 of the largest value
     double of_distance = 0; ///< per displacement of each particle [1/m]
     double terms = 0;
@@ -58,14 +56,13 @@ struct ColumnSum {
     void add(double factor, const ColumnSum& sum)
     {
         value += factor * sum.value;
-        slope += factor * sum.slope;
         of_rounding += factor * sum.of_rounding;
         of_distance += factor * sum.of_distance;
         terms += sum.terms;
     }
 };
 
-/// Over the column at x from a particle, which has slid by s along the axis.
-ColumnSum column_sum(const LatticeDuct& duct, const Eigen::Vector2d& x, double s, const RadialKernel& kernel);
+/// Over the column at x from a particle.
+ColumnSum column_sum(const LatticeDuct& duct, const Eigen::Vector2d& x, const RadialKernel& kernel);
 
 } // namespace aneurysm::analytic

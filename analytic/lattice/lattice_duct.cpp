@@ -22,6 +22,7 @@ double residual(const Eigen::MatrixXd& A, const VectorXd& velocity, double g)
 VectorXd solve_by_lu(Eigen::MatrixXd A, double g)
 {
     const auto n = static_cast<std::size_t>(A.rows());
+    A.transposeInPlace(); // GSL's rows are Eigen's columns
     gsl_matrix_view matrix = gsl_matrix_view_array(A.data(), n, n);
     const Owned<gsl_permutation, gsl_permutation_free> order(gsl_permutation_alloc(n));
     int sign = 0;
@@ -41,7 +42,7 @@ double Couplings::largest_sum(const VectorXd& velocity) const
     double largest = 0;
     for (Eigen::Index a = 0; a < velocity.size(); ++a) {
         const double sum = between.col(a).dot((velocity.array() - velocity(a)).abs().matrix());
-        largest = std::max(largest, sum + wall(a) * std::abs(velocity(a)));
+        largest = std::max(largest, sum + 2 * wall(a) * velocity.cwiseAbs().maxCoeff());
     }
     return largest;
 }
@@ -51,6 +52,7 @@ DuctOperator::DuctOperator(const LatticeDuct& duct)
     set_density(duct);
     set_couplings(duct);
     if (duct.no_slip) {
+        set_ghosts(duct);
         set_time_scale();
     }
 }
@@ -63,7 +65,7 @@ void DuctOperator::set_density(const LatticeDuct& duct)
         ColumnSum rho;
         for (const auto* columns : {&duct.fluid, &duct.ghosts}) {
             for (const Column& b : *columns) {
-                rho.add(b.mass, column_sum(duct, duct.fluid[a].x - b.x, 0, W));
+                rho.add(b.mass, column_sum(duct, duct.fluid[a].x - b.x, W));
             }
         }
         density_(static_cast<Eigen::Index>(a)) = rho.value;
@@ -82,7 +84,7 @@ void DuctOperator::set_couplings(const LatticeDuct& duct)
     for (Eigen::Index a = 0; a < n; ++a) {
         const auto couple = [&](const Column& b, double rho_b, double& coupling, double& rounding,
                                 double& distance) {
-            const ColumnSum sum = column_sum(duct, duct.fluid[static_cast<std::size_t>(a)].x - b.x, 0, lap_W);
+            const ColumnSum sum = column_sum(duct, duct.fluid[static_cast<std::size_t>(a)].x - b.x, lap_W);
             const double factor = duct.mu * b.mass / (density_(a) * rho_b);
             coupling += factor * sum.value;
             // both densities and the mass, and 8 products and quotients
@@ -105,14 +107,46 @@ void DuctOperator::set_couplings(const LatticeDuct& duct)
     A_.diagonal() = -couplings_.between.rowwise().sum() - couplings_.wall;
 }
 
+/// The ghosts' velocities, in the matrix; what another text may make of them is as uncertain as their couplings and the
+/// sums of W in them.
+void DuctOperator::set_ghosts(const LatticeDuct& duct)
+{
+    const RadialKernel W = density_kernel(duct.lattice);
+    const RadialKernel lap_W = viscosity_kernel(duct.lattice);
+    for (const Column& ghost : duct.ghosts) {
+        VectorXd weights = VectorXd::Zero(density_.size());
+        ColumnSum all;
+        for (Eigen::Index b = 0; b < weights.size(); ++b) {
+            const ColumnSum sum = column_sum(duct, duct.fluid[static_cast<std::size_t>(b)].x - ghost.x, W);
+            weights(b) = sum.value;
+            all.add(1, sum);
+        }
+        if (all.value <= 0) {
+            continue;
+        }
+        weights /= all.value;
+        for (Eigen::Index a = 0; a < weights.size(); ++a) {
+            const ColumnSum sum =
+                column_sum(duct, duct.fluid[static_cast<std::size_t>(a)].x - ghost.x, lap_W);
+            const double coupling = duct.mu * ghost.mass / (density_(a) * duct.rho_0) * sum.value;
+            A_.row(a) -= coupling * weights.transpose();
+            of_rounding_.wall(a) += coupling * 2 * all.of_rounding / all.value;
+            of_distance_.wall(a) += coupling * 2 * all.of_distance / all.value;
+        }
+    }
+}
+
 void DuctOperator::set_time_scale()
 {
-    const VectorXd w = solve_by_lu(A_, 1);
-    const double off = residual(A_, w, 1);
-    if (!(off < 0.5) || !(w.minCoeff() > 0)) {
+    const Eigen::MatrixXd inverse = A_.partialPivLu().inverse();
+    const auto norm = [](const Eigen::MatrixXd& matrix) {
+        return matrix.cwiseAbs().rowwise().sum().maxCoeff();
+    };
+    const double off = norm(A_ * inverse - Eigen::MatrixXd::Identity(A_.rows(), A_.cols()));
+    if (!(off < 0.5)) {
         throw std::invalid_argument("DuctOperator: no wall holds some of the columns");
     }
-    time_scale_ = w.maxCoeff() / (1 - off);
+    time_scale_ = norm(inverse) / (1 - off);
 }
 
 Couplings DuctOperator::uncertainty(double roundoff, double displacement) const
@@ -130,9 +164,10 @@ Profile steady_flow(const DuctOperator& A, double g)
     return {velocity, A.time_scale() * residual(A.matrix(), velocity, g)};
 }
 
-Profile steady_flow_by_ldlt(const DuctOperator& A, double g)
+Profile steady_flow_by_qr(const DuctOperator& A, double g)
 {
-    const VectorXd velocity = (-A.matrix()).ldlt().solve(VectorXd::Constant(A.matrix().rows(), g));
+    const VectorXd velocity =
+        A.matrix().colPivHouseholderQr().solve(VectorXd::Constant(A.matrix().rows(), -g));
     return {velocity, A.time_scale() * residual(A.matrix(), velocity, g)};
 }
 

@@ -2,10 +2,11 @@
 // Flow along a straight duct whose particles stay on the cubic lattice: columns along the axis move as one,
 // so that (7) and (15) become a matrix,
 //
-//     du_a/dt = sum_b A_ab u_b + g(t),   A_ab = mu m/(rho_a rho_b) sum_k lap W(x_ab, k dx)  for a != b,
+//     du_a/dt = sum_b c_ab (u_b - u_a) + g(t),   c_ab = mu m_b/(rho_a rho_b) sum_k lap W(x_ab, k dx),
 //
-// and A_aa = -(the sum of these, and of the same with the wall's ghosts at rest, at rho_0). The sums run over
-// the lattice points k dx of a column. What the particle method makes of the duct is then known to rounding.
+// over the other columns and the wall's ghosts, whose density is rho_0 and whose velocity is that which makes the blood's
+// vanish on the wall, u_b = -sum_a u_a w_ab / sum_a w_ab with w_ab = sum_k W(x_ab, k dx). The sums run over the lattice
+// points k dx of a column. What the particle method makes of the duct is then known to rounding.
 #pragma once
 
 #include "analytic/lattice/column_sum.hpp"
@@ -18,13 +19,13 @@
 namespace aneurysm::analytic
 {
 
-/// Numbers by pair of columns, and by column and all of the wall; in the matrix of du/dt times u_b - u_a and
-/// -u_a.
+/// Numbers by pair of columns, and by column and all of the wall; in the matrix of du/dt times u_b - u_a, where the
+/// ghosts' u_b are means of the blood's.
 struct Couplings {
     Eigen::MatrixXd between; ///< symmetric, 0 on the diagonal
     Eigen::VectorXd wall;
 
-    /// max_a ( sum_b between_ab |u_b - u_a| + wall_a |u_a| )
+    /// max_a ( sum_b between_ab |u_b - u_a| + 2 wall_a max |u| )
     double largest_sum(const Eigen::VectorXd& velocity) const;
 };
 
@@ -34,7 +35,7 @@ class DuctOperator
 public:
     explicit DuctOperator(const LatticeDuct& duct);
 
-    const Eigen::MatrixXd& matrix() const { return A_; }        ///< symmetric [1/s]
+    const Eigen::MatrixXd& matrix() const { return A_; }        ///< of du/dt [1/s]
     const Eigen::VectorXd& density() const { return density_; } ///< Eq. (5), by column [kg/m^3]
 
     /// What another text of du/dt, which sums over all neighbors of a particle, may add to the couplings.
@@ -43,14 +44,14 @@ public:
     /// \return [1/s]
     Couplings uncertainty(double roundoff, double displacement) const;
 
-    /// Bound of the largest row sum of |A^-1|, how long a disturbance lasts: by a force of at most 1 the flow
-    /// never gets faster than this. Infinite with slip [s]. It follows from w with -A w > 0, since -A is an
-    /// M-matrix (Ogita, Oishi and Ushiro 2001).
+    /// Bound of the largest row sum of |A^-1|: a steady flow under a force of at most 1 is no faster. Infinite with
+    /// slip [s]. From an inverse X by LU, |X| / (1 - |1 - A X|).
     double time_scale() const { return time_scale_; }
 
 private:
     void set_density(const LatticeDuct& duct);
     void set_couplings(const LatticeDuct& duct);
+    void set_ghosts(const LatticeDuct& duct);
     void set_time_scale();
 
     Eigen::MatrixXd A_;
@@ -73,8 +74,8 @@ struct Profile {
 /// Eq. (7) and Eq. (15) at rest with a constant g: A u = -g by GSL's LU decomposition; the error is what
 /// A u + g differs from 0, times time_scale.
 Profile steady_flow(const DuctOperator& A, double g);
-/// The same by Eigen's LDL^T decomposition.
-Profile steady_flow_by_ldlt(const DuctOperator& A, double g);
+/// The same by Eigen's QR decomposition.
+Profile steady_flow_by_qr(const DuctOperator& A, double g);
 
 /// How far a flow on the lattice is from the exact one, at its particles.
 struct FlowError {

@@ -10,41 +10,19 @@
 namespace aneurysm::analytic
 {
 
-/// The steps in closed form: with A v = -lambda v, 1 = sum b v, q = 1 - dt lambda and z = e^(i omega dt) the
-/// modes v have the amplitudes
-///
-///     c_n = g b (1 - q^n)/lambda                            if g is steady
-///     c_n = dt g b Im( z (z^n - q^n)/(z - q) )              if it is g sin(omega t).
-class DuctModes
-{
-public:
-    /// Eigenvectors by gsl_eigen_symmv.
-    explicit DuctModes(const DuctOperator& A);
-
-    /// After n steps. The error is that of the amplitudes, and by how much the modes fail to be modes or to
-    /// add up to 1, times what such a disturbance lasts. \throws std::invalid_argument when 1 + dt A has
-    /// negative elements: disturbances might grow
-    Profile after(const Drive& drive, double dt, int n) const;
-
-    const Eigen::VectorXd& rates() const { return rates_; } ///< lambda, falling [1/s]
-    double largest_step() const { return 2 / rates_(0); }   ///< dt below which no mode grows [s]
-
-private:
-    Eigen::VectorXd rates_;
-    Eigen::MatrixXd modes_;
-    Eigen::VectorXd parts_;     ///< b
-    Eigen::VectorXd residuals_; ///< largest |A v + lambda v| of each mode
-    double parts_error_ = 0;    ///< largest |1 - sum b v|
-    double largest_diagonal_ = 0;
-    double time_scale_ = 0;
-};
+/// The longest dt for which no disturbance of |A| grows, 2 / |A| with the norm of the largest row sum [s].
+double largest_step(const DuctOperator& A);
 
 /// The steps one by one, in long double.
 Profile step_by_step(const DuctOperator& A, const Drive& drive, double dt, int n);
 
+/// The same for a steady force by powers of the matrix: u_n = (1 + M + ... + M^(n-1)) dt g, M = 1 + dt A, with the sum
+/// by doubling, in long double.
+Profile step_by_powers(const DuctOperator& A, double g, double dt, int n);
+
 /// How far the same steps by another text may lead away from these [m/s]. In each step it may be off by dt
 /// times uncertainty() on the flow, by the roundings of v + dt (F/rho + g), and by those of the phase omega
-/// t: the sum of all, or the largest times what it lasts.
+/// t; and what it is off by, later steps carry on.
 double step_uncertainty(const DuctOperator& A, const Drive& drive, double dt, int n, double roundoff,
                         double displacement);
 

@@ -83,86 +83,19 @@ double volume(const Lattice& l)
     return 1 / kernel_sum(l).value;
 }
 
+/// C of row_pressure().
 MatrixXd row_matrix(const RowColumn& column)
 {
     const Lattice& l = column.lattice;
-    MatrixXd B = MatrixXd::Zero(column.rows, column.rows);
+    MatrixXd C = MatrixXd::Zero(column.rows, column.rows);
     for (int n = 1; n <= std::min(rows_within_reach(l), column.rows - 1); ++n) {
         const double gamma =
             row_sum(l, n, 0, [&](double r, double y) { return -y / r * kernel_slope(l.kernel, l.h, r); });
-        B.diagonal(n).setConstant(gamma);
-        B.diagonal(-n).setConstant(-gamma);
+        C.diagonal(n).setConstant(gamma);
+        C.diagonal(-n).setConstant(-gamma);
     }
-    return B;
-}
-
-MatrixXd columns_of(const MatrixXd& M, const std::vector<bool>& chosen)
-{
-    MatrixXd some(M.rows(), std::count(chosen.begin(), chosen.end(), true));
-    Index next = 0;
-    for (Index j = 0; j < M.cols(); ++j) {
-        if (chosen[static_cast<std::size_t>(j)]) {
-            some.col(next++) = M.col(j);
-        }
-    }
-    return some;
-}
-
-/// The p of chosen columns with the least |M p - b|, 0 elsewhere.
-VectorXd least_squares(const MatrixXd& M, const VectorXd& b, const std::vector<bool>& chosen)
-{
-    const VectorXd some = columns_of(M, chosen).colPivHouseholderQr().solve(b);
-    VectorXd p = VectorXd::Zero(M.cols());
-    Index next = 0;
-    for (Index j = 0; j < M.cols(); ++j) {
-        if (chosen[static_cast<std::size_t>(j)]) {
-            p(j) = some(next++);
-        }
-    }
-    return p;
-}
-
-/// How far toward `end` p may go before one of the chosen is 0; that one leaves.
-double step_to_border(const VectorXd& p, const VectorXd& end, std::vector<bool>& chosen)
-{
-    double step = 1;
-    Index first = -1;
-    for (Index j = 0; j < p.size(); ++j) {
-        if (chosen[static_cast<std::size_t>(j)] && end(j) <= 0 && p(j) / (p(j) - end(j)) <= step) {
-            step = p(j) / (p(j) - end(j));
-            first = j;
-        }
-    }
-    if (first >= 0) {
-        chosen[static_cast<std::size_t>(first)] = false;
-    }
-    return step;
-}
-
-/// p >= 0 with the least |M p - b|; `chosen`: where p > 0. Slopes below `flat` count as 0.
-VectorXd nonnegative_least_squares(const MatrixXd& M, const VectorXd& b, double flat,
-                                   std::vector<bool>& chosen)
-{
-    VectorXd p = VectorXd::Zero(M.cols());
-    chosen.assign(static_cast<std::size_t>(M.cols()), false);
-    for (Index turn = 0; turn < 10 * M.cols(); ++turn) {
-        VectorXd slope = M.transpose() * (b - M * p);
-        for (Index j = 0; j < slope.size(); ++j) {
-            slope(j) = chosen[static_cast<std::size_t>(j)] ? 0 : slope(j);
-        }
-        Index steepest = 0;
-        if (slope.maxCoeff(&steepest) <= flat) {
-            return p;
-        }
-        chosen[static_cast<std::size_t>(steepest)] = true;
-        double step = 0;
-        while (step < 1) {
-            const VectorXd end = least_squares(M, b, chosen);
-            step = step_to_border(p, end, chosen);
-            p += step * (end - p);
-        }
-    }
-    throw GslError("non-negative least squares", GSL_EMAXITER);
+    C.diagonal() = -C.rowwise().sum();
+    return C;
 }
 
 /// Largest row sum of magnitudes.
@@ -243,36 +176,26 @@ double wall_layer_ratio(const Lattice& l)
 RowPressure row_pressure(const RowColumn& column, double v, double dt)
 {
     const double m = column.rho_0 * volume(column.lattice);
-    const MatrixXd B = row_matrix(column);
-    const MatrixXd M = dt * m / (column.rho_0 * column.rho_0) * B;
+    const double per_pressure = dt * m / (column.rho_0 * column.rho_0);
+    const MatrixXd C = row_matrix(column);
+    const Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver(C);
+    const MatrixXd inverse = solver.pseudoInverse();
     const VectorXd start = VectorXd::Constant(column.rows, v);
-    const double flat = 64 * column.rows * u * norm(M) * std::abs(v);
 
     RowPressure result;
-    std::vector<bool> pressed;
-    result.pressure = nonnegative_least_squares(M, start, flat, pressed);
-    result.velocity = start - M * result.pressure;
-    result.rate = -m * B * result.velocity;
-
-    const MatrixXd active = columns_of(B, pressed);
-    const MatrixXd inverse = (active.transpose() * active).inverse();
-    result.pressure_per_residual = norm(inverse) * std::pow(column.rho_0, 3) / (dt * m * m);
-    result.velocity_per_residual = norm(active * inverse) * column.rho_0 / m;
-    double off = 0; // rate / rho_0, where it should be 0
-    std::vector<bool> still(pressed.size());
-    for (std::size_t i = 0; i < pressed.size(); ++i) {
-        const double rate = std::abs(result.rate(static_cast<Index>(i)));
-        off = pressed[i] ? std::max(off, rate / column.rho_0) : off;
-        still[i] = pressed[i] || rate <= m / (dt * m / (column.rho_0 * column.rho_0)) * flat;
-    }
+    result.pressure = inverse * start / per_pressure;
+    result.velocity = start - per_pressure * C * result.pressure;
+    result.rate = m * C.transpose() * result.velocity;
+    result.null_modes = static_cast<int>(column.rows - solver.rank());
+    result.pressure_per_residual = norm(inverse * inverse.transpose()) * column.rho_0 / (per_pressure * m);
+    result.velocity_per_residual = norm(inverse.transpose()) * column.rho_0 / m;
     // the rounding of the residual: at most 2 rows + 64 operations on each term
-    off += (2 * column.rows + 64) * u * m / column.rho_0 * norm(B) *
-           (std::abs(v) + norm(M) * result.pressure.cwiseAbs().maxCoeff());
+    const double size = std::abs(v) + per_pressure * norm(C) * result.pressure.cwiseAbs().maxCoeff();
+    const double off =
+        (result.rate.cwiseAbs().maxCoeff() + (2 * column.rows + 64) * u * m * norm(C.transpose()) * size) /
+        column.rho_0;
     result.pressure_error = result.pressure_per_residual * off;
     result.velocity_error = result.velocity_per_residual * off + 8 * u * std::abs(v);
-    const MatrixXd free = columns_of(B, still);
-    result.null_modes =
-        static_cast<int>(free.cols() - (free.cols() > 0 ? free.colPivHouseholderQr().rank() : 0));
     return result;
 }
 

@@ -45,30 +45,28 @@ struct RowColumn {
     int rows = 0;
 };
 
-/// What the incompressible solve (3) with beta = 0 makes of rows that all have the velocity v before it.
+/// What the incompressible solve (3) makes of rows that all have the velocity v before it.
 struct RowPressure {
-    Eigen::VectorXd pressure;         ///< by row, from the lower wall up [Pa]
+    Eigen::VectorXd pressure;         ///< by row, from the lower wall up; the part without null modes [Pa]
     Eigen::VectorXd velocity;         ///< upwards, after the solve [m/s]
     Eigen::VectorXd rate;             ///< Drho/Dt with it [kg/(m^3 s)]
     double pressure_error = 0;        ///< [Pa]
     double velocity_error = 0;        ///< [m/s]
     double pressure_per_residual = 0; ///< how far p may be off for each 1/s of residual/rho_0 [Pa s]
     double velocity_per_residual = 0; ///< and the velocity [m]
-    int null_modes =
-        0; ///< independent changes of the pressures, of those rows whose rate is 0, that move nothing
+    int null_modes = 0;               ///< independent changes of the pressures that move nothing
 };
 
-/// Eq. (3)  With gamma_n = sum over row n of dW/dy, which is odd in n, and B_ij = gamma_{j - i}:
+/// Eq. (3)  With gamma_n = sum over row n of dW/dy, which is odd in n, and C_ij = gamma_{j - i} between rows, its
+/// diagonal such that each row of C adds up to 0:
 ///
-///     a = -m/rho_0^2 B p,   Drho/Dt = -m B v,
+///     a = -m/rho_0^2 C p,   Drho/Dt = m C^T v,
 ///
-/// since sum_n gamma_n = 0 takes p_i and v_i out, and ghosts have neither. So the solve finds the p >= 0 with
-/// the least |v + dt a|: Drho/Dt = 0 where p > 0, and <= 0 where p = 0. By the method of Lawson and Hanson
-/// (Solving Least Squares Problems, 1974); errors from the residuals.
+/// since ghosts are mirror images, p_j = p_i and v_j = -v_i, and sum_n gamma_n = 0. A pressure that is the same in all
+/// rows moves nothing, so that no bound keeps p from what has the least |v + dt a|, where Drho/Dt = 0. Errors from the
+/// residuals.
 ///
-/// A row at a wall has free rows on one side only, which can but push it toward the wall, whose ghosts carry
-/// no pressure: (3) doesn't hold it on the lattice, to first order in the displacement. With h = dx only next
-/// rows couple, so that odd and even rows don't feel each other.
+/// With h = dx only next rows couple: p_{i+1} - p_{i-1} moves row i, p_1 - p_0 the lowest one.
 RowPressure row_pressure(const RowColumn& column, double v, double dt);
 
 } // namespace aneurysm::analytic

@@ -96,6 +96,23 @@ Estimate scalar_sum(const Cloud& c, const Vector3d& r, double largest, Term term
     return {sum.value.x(), sum.error};
 }
 
+bool mirrored(const Cloud& c, std::size_t j)
+{
+    return c.given == Given::mirrors && !c.free[j];
+}
+double weight(const Cloud& c, std::size_t j)
+{
+    return mirrored(c, j) ? 2 : 1;
+}
+
+/// Magnitude of w_j m_j (v_i - v_j).
+auto speeds(const Cloud& c, std::size_t i)
+{
+    return [&c, i](std::size_t j) {
+        return weight(c, j) * c.mass[j] * (c.velocity[i].norm() + c.velocity[j].norm());
+    };
+}
+
 } // namespace
 
 Estimate pair_density_rate(const Cloud& c, std::size_t i)
@@ -103,9 +120,9 @@ Estimate pair_density_rate(const Cloud& c, std::size_t i)
     return scalar_sum(
         c, c.position[i], largest_slope(c),
         [&](std::size_t j, const Vector3d& x) {
-            return c.mass[j] * (c.velocity[i] - c.velocity[j]).dot(gradient(c, x));
+            return weight(c, j) * c.mass[j] * (c.velocity[i] - c.velocity[j]).dot(gradient(c, x));
         },
-        [&](std::size_t j) { return c.mass[j] * (c.velocity[i].norm() + c.velocity[j].norm()); });
+        speeds(c, i));
 }
 
 Estimate pair_interpolation(const Cloud& c, const Vector3d& r)
@@ -130,17 +147,71 @@ Estimate pair_density(const Cloud& c, std::size_t i)
         [&](std::size_t j) { return c.mass[j]; });
 }
 
+Estimate pair_density_ahead(const Cloud& c, const std::vector<Vector3d>& way, std::size_t i)
+{
+    return scalar_sum(
+        c, c.position[i], largest_kernel(c),
+        [&](std::size_t j, const Vector3d& x) {
+            return c.mass[j] * kernel(c.kernel, c.h, (x + way[i] - way[j]).norm());
+        },
+        [&](std::size_t j) { return c.mass[j]; }, 8);
+}
+
+Estimate pair_mean(const Cloud& c, const std::vector<double>& A, std::size_t i)
+{
+    const auto sum = [&](const auto& value) {
+        const auto at = [&](std::size_t j) { return j < A.size() && c.mass[j] > 0 ? value(j) : 0.0; };
+        return scalar_sum(
+            c, c.position[i], largest_kernel(c),
+            [&](std::size_t j, const Vector3d& x) { return at(j) * kernel(c.kernel, c.h, x.norm()); }, at);
+    };
+    const Estimate values = sum([&](std::size_t j) { return A[j]; });
+    const Estimate weights = sum([](std::size_t) { return 1.0; });
+    const double mean = values.value / weights.value;
+    return {mean, (values.error + std::abs(mean) * (weights.error + 4 * u * weights.value)) / weights.value};
+}
+
+VectorEstimate pair_no_slip_velocity(const Cloud& c, std::size_t j)
+{
+    struct Blood {
+        Vector3d velocity;
+        double W = 0;
+        double error = 0; ///< of W
+    };
+    std::vector<Blood> seen;
+    double weights = 0;
+    for (std::size_t i = 0; i < c.position.size(); ++i) {
+        const double r = difference(c, c.position[i], c.position[j]).norm();
+        if (c.free[i] && c.mass[i] > 0 && r < 2 * c.h) {
+            const double error =
+                32 * u * kernel_terms(c.kernel, c.h, r) - 8 * u * c.period * kernel_slope(c.kernel, c.h, r);
+            seen.push_back({c.velocity[i], kernel(c.kernel, c.h, r), error});
+            weights += seen.back().W;
+        }
+    }
+    VectorEstimate mean;
+    for (const Blood& blood : seen) {
+        mean.value += blood.W / weights * blood.velocity;
+    }
+    const auto n = static_cast<double>(seen.size());
+    for (const Blood& blood : seen) {
+        mean.error += (n + 8) * u * blood.W / weights * blood.velocity.norm() +
+                      blood.error / weights * (blood.velocity - mean.value).norm();
+    }
+    return {-mean.value, mean.error};
+}
+
 Estimate pair_density_slope(const Cloud& c, std::size_t i)
 {
     constexpr double t = 1e-100;
     return scalar_sum(
         c, c.position[i], largest_slope(c),
         [&](std::size_t j, const Vector3d& x) {
-            const Vector3d v = c.velocity[i] - c.velocity[j];
+            const Vector3d v = weight(c, j) * (c.velocity[i] - c.velocity[j]);
             const std::complex<double> square(x.squaredNorm(), 2 * t * x.dot(v));
             return c.mass[j] * complex_kernel(c.kernel, c.h, std::sqrt(square)).imag() / t;
         },
-        [&](std::size_t j) { return c.mass[j] * (c.velocity[i].norm() + c.velocity[j].norm()); }, 64);
+        speeds(c, i), 64);
 }
 
 VectorEstimate pair_pressure_force(const Cloud& c, std::size_t i)
@@ -171,9 +242,19 @@ VectorEstimate pair_viscosity_force(const Cloud& c, double mu, std::size_t i)
         });
 }
 
+VectorEstimate pair_outlet_force(const Cloud& c, double rho_0, double p, std::size_t i)
+{
+    const auto factor = [&](std::size_t j) { return 2 * p * c.mass[j] / rho_0; };
+    return sum_over_pairs(
+        c, c.position[i], largest_slope(c),
+        [&](std::size_t j, const Vector3d& x) { return Vector3d(factor(j) * gradient(c, x)); }, factor);
+}
+
 VectorEstimate pair_pressure_acceleration(const Cloud& c, double rho_0, std::size_t i)
 {
-    const auto both = [&](std::size_t j) { return c.pressure[i] + (c.free[j] ? c.pressure[j] : 0); };
+    const auto both = [&](std::size_t j) {
+        return c.pressure[i] + (c.free[j] ? c.pressure[j] : mirrored(c, j) ? c.pressure[i] : 0);
+    };
     return sum_over_pairs(
         c, c.position[i], largest_slope(c),
         [&](std::size_t j, const Vector3d& x) {
@@ -187,10 +268,10 @@ VectorEstimate pair_pressure_acceleration(const Cloud& c, double rho_0, std::siz
 Estimate pair_dfsph_factor(const Cloud& c, std::size_t i)
 {
     const double g = largest_slope(c);
-    const auto mass = [&](std::size_t j) { return c.mass[j]; };
+    const auto mass = [&](std::size_t j) { return weight(c, j) * c.mass[j]; };
     const VectorEstimate sum = sum_over_pairs(
         c, c.position[i], g,
-        [&](std::size_t j, const Vector3d& x) { return Vector3d(c.mass[j] * gradient(c, x)); }, mass);
+        [&](std::size_t j, const Vector3d& x) { return Vector3d(mass(j) * gradient(c, x)); }, mass);
     const Estimate squares = scalar_sum(
         c, c.position[i], 2 * g * g,
         [&](std::size_t j, const Vector3d& x) {

@@ -6,7 +6,7 @@
 namespace aneurysm::backends
 {
 
-/// Places, velocities and pressures as a float holds them.
+/// What a float backend keeps of the particles, as it holds it.
 inline void round_to_float(Particles& p)
 {
     const auto round = [](double& x) { x = static_cast<double>(static_cast<float>(x)); };
@@ -19,8 +19,10 @@ inline void round_to_float(Particles& p)
     };
     round_all(p.position);
     round_all(p.velocity);
-    for (double& pressure : p.pressure) {
-        round(pressure);
+    for (std::vector<double>* field : {&p.pressure, &p.kappa, &p.drift}) {
+        for (double& x : *field) {
+            round(x);
+        }
     }
 }
 

@@ -61,8 +61,12 @@ struct Equations {
 
     // Section 3.5: (25)-(28) and Fig. 1
     double (*inlet_velocity)(const Inlet& inlet, double t);
-    double (*outlet_pressure)(double p_const, double rho_0, double v);
-    Vec3 (*outlet_pressure_force)(double m_j, double rho_0, double p_const, const Vec3& grad_W);
+    double (*inlet_profile)(InletProfile profile, double r_squared, double radius);
+    double (*inlet_ramp)(double ramp, double t);
+    /// Of neighbors with the masses m and the gradients grad_W.
+    Vec3 (*outlet_pressure_force)(std::span<const double> m, std::span<const Vec3> grad_W, double rho_0,
+                                  double p);
+    Vec3 (*inflow_force)(double rho_0, double v, double D, const Vec3& outward);
     Vec3 (*wall_velocity)();
     ElasticWall (*advance_elastic_wall)(const ElasticWall& wall, double F_fluid, double k, double m_wall,
                                         double dt);

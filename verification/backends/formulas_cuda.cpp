@@ -64,6 +64,15 @@ double inlet_velocity(const Inlet& inlet, double t)
     return device::inlet_velocity(s, t);
 }
 
+Vec3 outlet_pressure_force(std::span<const double> m, std::span<const Vec3> grad_W, double rho_0, double p)
+{
+    Vec3 gradient;
+    for (std::size_t j = 0; j < m.size(); ++j) {
+        gradient += m[j] * grad_W[j];
+    }
+    return device::outlet_pressure_force(gradient, rho_0, p);
+}
+
 Collision collide(const Vec3& position, const Vec3& velocity, double depth, const Vec3& n)
 {
     Collision after{position, velocity};
@@ -112,11 +121,10 @@ const Equations& device_equations()
         .thickness_developed = device::thickness_developed,
         .daughter_radius = device::daughter_radius,
         .inlet_velocity = inlet_velocity,
-        .outlet_pressure = device::outlet_pressure,
-        .outlet_pressure_force =
-            [](double m_j, double rho_0, double p_const, const Vec3& grad_W) {
-                return device::outlet_pressure_force(rho_0, p_const, m_j * grad_W);
-            },
+        .inlet_profile = device::inlet_profile<double>,
+        .inlet_ramp = device::inlet_ramp,
+        .outlet_pressure_force = outlet_pressure_force,
+        .inflow_force = device::inflow_force<double>,
         .wall_velocity = device::wall_velocity<double>,
         .advance_elastic_wall = device::advance_elastic_wall,
         .collide = collide,

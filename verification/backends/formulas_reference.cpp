@@ -33,6 +33,18 @@ double inlet_velocity(const Inlet& inlet, double t)
                                      inlet.table_time_s, inlet.table_velocity_m_s);
 }
 
+Vec3 outlet_pressure_force(std::span<const double> m, std::span<const Vec3> grad_W, double rho_0, double p)
+{
+    reference::Bodies bodies;
+    bodies.mass.assign(m.begin(), m.end());
+    std::vector<reference::Neighbor> neighbors(m.size());
+    for (std::size_t j = 0; j < m.size(); ++j) {
+        neighbors[j].j = j;
+        neighbors[j].grad_W = grad_W[j];
+    }
+    return reference::outlet_pressure_force(bodies, neighbors, rho_0, p);
+}
+
 } // namespace
 
 const Equations& reference_equations()
@@ -65,8 +77,10 @@ const Equations& reference_equations()
         .thickness_developed = reference::thickness_developed,
         .daughter_radius = reference::daughter_radius,
         .inlet_velocity = inlet_velocity,
-        .outlet_pressure = reference::outlet_pressure,
-        .outlet_pressure_force = reference::outlet_pressure_force,
+        .inlet_profile = reference::inlet_profile,
+        .inlet_ramp = reference::inlet_ramp,
+        .outlet_pressure_force = outlet_pressure_force,
+        .inflow_force = reference::inflow_force,
         .wall_velocity = reference::wall_velocity,
         .advance_elastic_wall = reference::advance_elastic_wall,
         .collide = reference::collide,

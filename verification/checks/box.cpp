@@ -21,6 +21,13 @@ analytic::Medium medium_of(const Scenario& s)
     return {lattice, rho / analytic::kernel_sum(lattice).value, rho};
 }
 
+/// The scenario without what lets a fresh start settle.
+Scenario unsettled(Scenario scenario)
+{
+    scenario.pressure.density_correction = 0;
+    return scenario;
+}
+
 } // namespace
 
 Scenario box_scenario(KernelName kernel, double ratio)
@@ -33,7 +40,7 @@ Scenario box_scenario(KernelName kernel, double ratio)
 }
 
 Box::Box(const Probe& probe, const Scenario& scenario)
-    : scenario_(scenario), state_(probe.simulate(scenario)->state()),
+    : scenario_(scenario), state_(probe.simulate(unsettled(scenario))->state()),
       edge_(static_cast<double>(scenario.domain.cells_x) * scenario.domain.spacing_m),
       cells_(static_cast<int>(scenario.domain.cells_x)), medium_(medium_of(scenario))
 {

@@ -49,6 +49,11 @@ Check same_run_check(std::string_view id, Names equations, std::string_view titl
     return {id, Level::metamorphic, std::move(equations), title, std::move(oracles), scope, true, run};
 }
 
+Check nature_check(std::string_view id, std::string_view title, Names oracles, Run run, bool quick)
+{
+    return {id, Level::nature, {}, title, std::move(oracles), Scope::model, quick, run};
+}
+
 Check oracle_check(std::string_view id, Level level, Names equations, std::string_view title, Names oracles,
                    Run run, bool quick)
 {
@@ -80,24 +85,26 @@ const std::vector<Check>& all_checks()
                  blood_flow_momentum_checks,
                  incompressible_waves_checks,
                  incompressible_bodies_checks,
+                 incompressible_rows_checks,
                  blood_flow_steps_checks,
                  boundary_duct_checks,
-                 incompressible_hydrostatics_checks,
                  growth_history_checks,
                  controller_ledger_checks,
                  impact_checks,
-                 laminar_flow_checks,
                  taylor_green_checks,
                  containment_checks,
                  metamorphic_checks,
                  executors_checks,
                  neighbors_checks,
+                 boundary_buffers_checks,
                  boundary_ghosts_checks,
                  same_run_checks,
                  bifurcation_shape_checks,
                  controller_checks,
                  oracle_pairs_checks,
-                 laminar_pipe_checks,
+                 nature_artery_checks,
+                 nature_ends_checks,
+                 nature_walls_checks,
                  blood_flow_mass_checks,
              }) {
             std::vector<Check> more = of_subject();

@@ -2,6 +2,7 @@
 #include "verification/suite/check.hpp"
 
 #include "common/process/interrupt.hpp"
+#include "output/report/numbers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,7 @@ public:
     const SimulationState& state() const override { return backend_->state(); }
     const std::vector<double>& density() const override { return backend_->density(); }
     const std::vector<double>& solved_pressure() const override { return backend_->solved_pressure(); }
+    const std::vector<double>& solved_kappa() const override { return backend_->solved_kappa(); }
 
 private:
     std::unique_ptr<Simulation> backend_;
@@ -125,6 +127,17 @@ std::unique_ptr<Simulation> Probe::simulate(const Scenario& scenario,
 Quantity& Probe::quantity(std::string name, Source source, std::string derivation)
 {
     return result_->quantities.emplace_back(std::move(name), source, std::move(derivation));
+}
+
+void Probe::accuracy(Accuracy accuracy)
+{
+    const std::string limit = accuracy.allowed() > accuracy.asked
+                                  ? "; not met yet, and not to exceed what it was: " + accuracy.known->source
+                                  : "";
+    quantity(accuracy.name, Source::nature,
+             "asked of the model: at most " + report::shown(accuracy.asked) + limit)
+        .within(accuracy.value, 0, accuracy.allowed());
+    result_->accuracies.push_back(std::move(accuracy));
 }
 
 void Probe::note(std::string name, double value, std::string remark)

@@ -41,6 +41,7 @@ enum class Level {
     continuous,  ///< L3: continuous solutions, with the error predicted
     metamorphic, ///< L4: the same run in other words, to the same bits
     executors,   ///< L5: the backends against the reference
+    nature,      ///< L6: the model itself against nature
 };
 
 /// Where the bound of an error comes from.
@@ -51,6 +52,7 @@ enum class Source {
     quadrature, ///< GSL's own error estimate
     solver,     ///< the tolerance that an iteration stops at
     statistics, ///< a confidence interval
+    nature,     ///< what is asked of the model
 };
 
 /// Ends a check at its first comparison that fails, see Quantity::first_failure_ends.
@@ -119,6 +121,24 @@ private:
     Worst worst_;
 };
 
+/// What a number that the model doesn't meet yet was when that was recorded.
+struct KnownLimit {
+    double value = 0;   ///< a larger one fails
+    std::string source; ///< of the record: when, by whom
+};
+
+/// How far the model is from nature in one respect.
+struct Accuracy {
+    std::string name; ///< with its unit
+    double value = 0; ///< found
+    double asked = 0; ///< at most
+    std::optional<KnownLimit> known{};
+
+    bool met() const { return value <= asked; } ///< false for a NaN
+    /// What passes: a known limit that isn't met yet must not get worse.
+    double allowed() const { return known && known->value > asked ? known->value : asked; }
+};
+
 /// A number that is worth reading and has no bound.
 struct Note {
     std::string name; ///< with its unit
@@ -140,6 +160,7 @@ enum class Verdict {
     holds,   ///< something was compared, and all of it lies within its bounds
     fails,   ///< something doesn't, nothing was compared, or the check threw
     not_run, ///< the message says why
+    limit,   ///< nothing fails, but the model doesn't meet what is asked of it yet; the message says where
 };
 
 struct Check;
@@ -151,6 +172,7 @@ struct CheckResult {
     Verdict verdict = Verdict::not_run;
     std::string message{}; ///< why it fails or was not run; empty when it holds
     std::deque<Quantity> quantities{};
+    std::vector<Accuracy> accuracies{};
     std::vector<Note> notes{};
     std::vector<Plot> plots{};
     double seconds = 0;
@@ -175,6 +197,8 @@ public:
 
     /// A new line of the ledger; it stays valid as long as the result.
     Quantity& quantity(std::string name, Source source, std::string derivation);
+    /// A number of the model's own accuracy, with its line in the ledger.
+    void accuracy(Accuracy accuracy);
     void note(std::string name, double value, std::string remark = {});
     void plot(Plot plot);
     /// The check can't be done here; that is neither pass nor failure.
@@ -191,6 +215,7 @@ enum class Scope {
     flows,     ///< each subject
     backends,  ///< each but the reference, which they are compared with
     once,      ///< whoever: it checks oracles, or compares subjects itself
+    model,     ///< one in single precision: it judges the model, which is the same for all
 };
 
 /// One row of the suite.

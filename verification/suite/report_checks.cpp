@@ -101,6 +101,7 @@ report::List verdicts(Results results, const SuiteReport& report)
     report::List list;
     for (const auto& [verdict, look] : {std::pair(Verdict::holds, Look::holds),
                                         {Verdict::fails, Look::fails},
+                                        {Verdict::limit, Look::warn},
                                         {Verdict::not_run, Look::weak}}) {
         std::vector<Reason> reasons;
         for (const CheckResult& r : results) {

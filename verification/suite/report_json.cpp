@@ -52,6 +52,16 @@ output::Json to_json(const Check& c)
             {"quick", c.quick}};
 }
 
+output::Json to_json(const Accuracy& a)
+{
+    return {{"name", a.name},
+            {"value", output::json_number(a.value)},
+            {"asked", a.asked},
+            {"met", a.met()},
+            {"recorded", a.known ? output::json_number(a.known->value) : output::Json()},
+            {"source", a.known ? a.known->source : ""}};
+}
+
 output::Json to_json(const CheckResult& r)
 {
     output::Json json = to_json(*r.check);
@@ -60,6 +70,7 @@ output::Json to_json(const CheckResult& r)
     json["message"] = r.message;
     json["seconds"] = r.seconds;
     json["quantities"] = output::json_array(r.quantities, [](const Quantity& q) { return to_json(q); });
+    json["accuracies"] = output::json_array(r.accuracies, [](const Accuracy& a) { return to_json(a); });
     json["notes"] = output::json_array(r.notes, [](const Note& n) {
         return output::Json{{"name", n.name}, {"value", output::json_number(n.value)}, {"remark", n.remark}};
     });
@@ -107,6 +118,7 @@ std::string suite_json(const SuiteReport& report)
     json["holds"] = all.holds;
     json["fails"] = all.fails;
     json["not_run"] = all.not_run;
+    json["limits"] = all.limits;
     json["compared"] = all.compared;
     json["largest_ratio"] = all.compared > 0 ? output::json_number(all.ratio) : output::Json();
     json["subjects"] =

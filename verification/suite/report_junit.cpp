@@ -35,6 +35,8 @@ Markup test_case(const CheckResult& r)
         outcome = element("failure", {{"message", r.message}}, details(r));
     } else if (r.verdict == Verdict::not_run) {
         outcome = empty_element("skipped", {{"message", r.message}});
+    } else if (r.verdict == Verdict::limit) {
+        outcome = element("system-out", {}, r.message);
     }
     return element("testcase",
                    {{"classname", number_of(r.check->level) + "." + std::string(r.check->id)},
@@ -50,7 +52,7 @@ Markup counted(const char* element_name, const std::string& name, const Tally& t
 {
     return element(element_name,
                    {{"name", name},
-                    {"tests", std::to_string(tally.holds + tally.fails + tally.not_run)},
+                    {"tests", std::to_string(tally.holds + tally.fails + tally.not_run + tally.limits)},
                     {"failures", std::to_string(tally.fails)},
                     {"errors", "0"},
                     {"skipped", std::to_string(tally.not_run)},

@@ -86,6 +86,10 @@ void judge(CheckResult& result)
             empty += (empty.empty() ? "nothing compared: " : ", ") + q.name();
         }
     }
+    std::string unmet;
+    for (const Accuracy& a : result.accuracies) {
+        unmet += a.met() ? "" : (unmet.empty() ? "not met yet: " : ", ") + a.name;
+    }
     const bool excused = !result.message.empty(); // the check itself said why it isn't run
     if (!failed.empty()) {
         result.verdict = Verdict::fails;
@@ -95,9 +99,23 @@ void judge(CheckResult& result)
     } else if (compared == 0 || !empty.empty()) {
         result.verdict = Verdict::fails;
         result.message = empty.empty() ? "nothing compared" : empty;
+    } else if (!unmet.empty()) {
+        result.verdict = Verdict::limit;
+        result.message = unmet;
     } else {
         result.verdict = Verdict::holds;
     }
+}
+
+/// Who the model is measured with: what is recorded of it are the bits of single precision, on a CPU or a GPU.
+const SuiteSubject* measured(const std::vector<SuiteSubject>& subjects)
+{
+    static const SuiteSubject not_chosen{
+        {{Backend::cpu, Precision::float_, 1, 0}}, "", "the model is measured in single precision only"};
+    const auto found = std::ranges::find_if(subjects, [](const SuiteSubject& s) {
+        return s.subject.choice.precision == Precision::float_ && s.missing.empty();
+    });
+    return found == subjects.end() ? &not_chosen : &*found;
 }
 
 /// A check, and whom to run it for.
@@ -148,6 +166,9 @@ std::vector<const SuiteSubject*> subjects_of(const Check& check, const std::vect
     static const SuiteSubject any{once(), "", ""};
     if (check.scope == Scope::once) {
         return {&any};
+    }
+    if (check.scope == Scope::model) {
+        return {measured(subjects)};
     }
     std::vector<const SuiteSubject*> chosen;
     for (const SuiteSubject& s : subjects) {

@@ -94,6 +94,7 @@ void Tally::add(const CheckResult& result)
     holds += result.verdict == Verdict::holds ? 1 : 0;
     fails += result.verdict == Verdict::fails ? 1 : 0;
     not_run += result.verdict == Verdict::not_run ? 1 : 0;
+    limits += result.verdict == Verdict::limit ? 1 : 0;
     for (const Quantity& q : result.quantities) {
         compared += q.compared();
         const double used = q.worst().ratio;
@@ -243,7 +244,7 @@ std::vector<Failure> what_fails(const SuiteResult& suite)
 bool passed(const SuiteResult& suite)
 {
     const Tally t = tally(suite);
-    return suite.complete && t.fails == 0 && t.holds > 0;
+    return suite.complete && t.fails == 0 && t.holds + t.limits > 0;
 }
 
 std::string headline(const std::vector<EquationSummary>& summaries)

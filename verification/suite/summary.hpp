@@ -18,6 +18,7 @@ struct Tally {
     int holds = 0;
     int fails = 0;
     int not_run = 0;
+    int limits = 0; ///< known ones: not met yet
     std::int64_t compared = 0;
     double ratio = -1;                  ///< largest measured / allowed; -1: nothing compared
     const Quantity* closest = nullptr;  ///< whose ratio that is
@@ -31,7 +32,8 @@ struct Tally {
 /// Of all results, or those of a level.
 Tally tally(const SuiteResult& suite, std::optional<Level> level = {});
 
-/// Whether it compares the program itself with an answer found without it: only such a check can show that an
+/// Whether it compares the program itself with an answer found without it, which tells whether the equations are
+/// implemented as derived: only such a check can show that an
 /// equation holds. The others, of oracles and of runs with one another, can only show that something fails.
 bool is_evidence(const Check& check);
 /// Whether the check is of this equation above all: its id names it, or it lists no other.
@@ -89,7 +91,7 @@ struct Failure {
 /// By level, the lowest first: what it is made of is smallest, so that it is the place to look at first.
 std::vector<Failure> what_fails(const SuiteResult& suite);
 
-/// Something was compared, and nothing fails.
+/// Something was compared, and nothing fails: a known limit of the model isn't a failure.
 bool passed(const SuiteResult& suite);
 /// "29 of 29 equations hold", and which others there are.
 std::string headline(const std::vector<EquationSummary>& summaries);

@@ -46,7 +46,7 @@ inline constexpr std::array words<Level>{
     Word{
         "flows with a known continuous answer",
         "Flows whose exact solution is a formula of space and time. Particles and time steps make an error; its size "
-        "is predicted, and an error smaller than predicted fails as a larger one does."},
+        "is predicted, or said without a bound."},
     Word{
         "the same run in other words",
         "The same run told differently (in other units, interrupted, on more threads, moved in space): the result "
@@ -54,7 +54,12 @@ inline constexpr std::array words<Level>{
     Word{
         "optimized backends against the reference",
         "The fast versions of the program against the plain one that reads like the paper. This shows that they are "
-        "equivalent; that they are right follows from the other levels."}};
+        "equivalent; that they are right follows from the other levels."},
+    Word{
+        "the model against nature",
+        "What blood does, against what the program makes of it with the paper's own means: blood at rest stays at rest, "
+        "flow in a tube has its profile. Here the model itself is judged, not how it is programmed; it is the same in "
+        "all versions, so that one of them is enough."}};
 
 template <>
 inline constexpr std::array words<Source>{
@@ -63,10 +68,12 @@ inline constexpr std::array words<Source>{
     Word{"truncation", "terms that the method leaves out by design, of known size"},
     Word{"quadrature", "the error that the GNU Scientific Library states for its own integral"},
     Word{"solver", "an iteration that stops when its error is below a given size"},
-    Word{"statistics", "an interval that a correct program misses with a stated, small probability"}};
+    Word{"statistics", "an interval that a correct program misses with a stated, small probability"},
+    Word{"nature", "what is asked of the model; where it isn't met yet, what it was when that was recorded"}};
 
 template <>
-inline constexpr std::array words<Verdict>{Word{"holds"}, Word{"FAILS"}, Word{"not run"}};
+inline constexpr std::array words<Verdict>{Word{"holds"}, Word{"FAILS"}, Word{"not run"},
+                                           Word{"not met yet"}};
 
 template <>
 inline constexpr std::array words<EquationVerdict>{Word{"holds"}, Word{"FAILS"}, Word{"not checked"},
@@ -79,7 +86,8 @@ template <>
 inline constexpr std::array words<Use>{Word{"used"}, Word{"part of (21)"}, Word{"nominal"}};
 
 template <>
-inline constexpr std::array words<Scope>{Word{"equations"}, Word{"flows"}, Word{"backends"}, Word{"once"}};
+inline constexpr std::array words<Scope>{Word{"equations"}, Word{"flows"}, Word{"backends"}, Word{"once"},
+                                         Word{"model"}};
 
 template <class Enum>
 requires(!words<Enum>.empty()) constexpr std::string_view name_of(Enum value)
@@ -87,8 +95,8 @@ requires(!words<Enum>.empty()) constexpr std::string_view name_of(Enum value)
     return words<Enum>.at(static_cast<std::size_t>(value)).name;
 }
 
-inline constexpr std::array levels{Level::scalar,     Level::lattice,     Level::transient,
-                                   Level::continuous, Level::metamorphic, Level::executors};
+inline constexpr std::array levels{Level::scalar,      Level::lattice,   Level::transient, Level::continuous,
+                                   Level::metamorphic, Level::executors, Level::nature};
 constexpr std::string_view meaning_of(Level level)
 {
     return words<Level>.at(static_cast<std::size_t>(level)).meaning;

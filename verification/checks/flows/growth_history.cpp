@@ -184,7 +184,8 @@ void check_wall(Probe& probe, const History& run)
 
 void wall_history(Probe& probe)
 {
-    const Scenario scenario = shipped_scenario("quick");
+    Scenario scenario = shipped_scenario("quick");
+    scenario.rupture.yield_limit_pa = 120; // ruptures within these frames
     const History history = run(probe, scenario, 180);
     check_phases(probe, history);
     check_wall(probe, history);

@@ -18,18 +18,19 @@ std::string frame(const FrameRecord& r)
     return "frame " + std::to_string(r.frame);
 }
 
-/// (16): the largest force on a particle at the wall is its mass times its change of velocity in the frame,
-/// for those that the wall has not turned round.
+/// (16): the largest force on a particle at the wall is its mass times its change of velocity in the frame, for those
+/// that the wall has not turned round and put back onto itself. Gravity has no part in it: the pressure is counted
+/// from that of blood at rest.
 void impact(Probe& probe)
 {
     const double u = probe.roundoff();
     Quantity& force =
         probe.quantity("F_b against m |dv|/dt of the particle that made it [N]", Source::rounding,
-                       "m/dt times gamma_4 of both velocities and gamma_60 of the acceleration's three "
-                       "parts, each of the size of F_b or of g, whose sum the frame rounds in another order");
+                       "m/dt times gamma_4 of both velocities and gamma_60 of the acceleration's "
+                       "parts, each of the size of F_b, whose sum the frame rounds in another order");
     Quantity& others =
         probe.quantity("m |dv|/dt of the others in S, no larger than F_b [N]", Source::rounding,
-                       "as of F_b: m/dt gamma_4 of both velocities and gamma_60 of F_b and m g");
+                       "as of F_b: m/dt gamma_4 of both velocities and gamma_60 of F_b");
     Quantity& members =
         probe.quantity("particles in S beyond those whose place leaves no doubt", Source::exact,
                        "integers: at least none, at most those that the wall has put back and those within "
@@ -49,12 +50,11 @@ void impact(Probe& probe)
         for (std::size_t i = 0; i < after.particles.size(); ++i) {
             const Vec3& x = after.particles.position[i];
             const Vec3& v = after.particles.velocity[i];
-            const Vec3 way = x - before.particles.position[i] - dt * v;
-            const bool untouched = length(way) <= 8 * u * (length(x) + dt * length(v));
             const bool blood =
                 before.particles.kind[i] == Kind::fluid && after.particles.kind[i] == Kind::fluid;
             const double band = s.rupture.impact_band_spacings * after.spacing;
             const double margin = 32 * u * length(x);
+            const bool untouched = vessel.wall(x, R).value < -margin;
             const double to_wall = vessel.wall(x, R).value + band;
             const double to_sac = vessel.tubes(x).value - vessel.sac(x, R).value;
             if (before.particles.kind[i] == Kind::fluid && untouched && blood && to_wall > margin &&
@@ -70,8 +70,7 @@ void impact(Probe& probe)
             }
             const double F = m * length(v - before.particles.velocity[i]) / dt;
             const double speeds = length(v) + length(before.particles.velocity[i]);
-            const double allowed = m / dt * probe.gamma(4) * speeds +
-                                   probe.gamma(60) * (r.impact_force + m * length(s.fluid.gravity_m_s2));
+            const double allowed = m / dt * probe.gamma(4) * speeds + probe.gamma(60) * r.impact_force;
             if (r.impact_particle == static_cast<std::int64_t>(i)) {
                 force.within(r.impact_force, F, allowed, frame(r));
             } else {

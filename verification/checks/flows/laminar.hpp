@@ -5,7 +5,6 @@
 
 #include "analytic/laminar_flow.hpp"
 #include "analytic/lattice/lattice_duct.hpp"
-#include "analytic/lattice/sliding_duct.hpp"
 #include "verification/checks/checks.hpp"
 
 #include <functional>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section 3.5: the inlet's velocity (25), as printed and by the other waveforms that a scenario may choose.
+// Section 3.5: the inlet's velocity (25), as printed and by the other waveforms that a scenario may choose, its profile
+// over the section and its start.
 #include "analytic/boundary.hpp"
 #include "analytic/exact/waveform.hpp"
+#include "analytic/laminar_flow.hpp"
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
 
@@ -26,7 +28,11 @@ constexpr std::array<std::pair<Waveform, const char*>, 4> formulas{
 
 backends::Inlet inlet_of(Waveform waveform, double v_0, double T)
 {
-    return {waveform, v_0, T, {}, {}};
+    backends::Inlet inlet;
+    inlet.waveform = waveform;
+    inlet.peak_velocity_m_s = v_0;
+    inlet.cycle_s = T;
+    return inlet;
 }
 
 void eq25_waveforms(Probe& probe)
@@ -131,7 +137,10 @@ std::vector<Table> tables()
 {
     const auto table = [](const char* name, double T, std::vector<double> time,
                           std::vector<double> velocity) {
-        return Table{{Waveform::table, 9, T, std::move(time), std::move(velocity)}, name};
+        Table result{inlet_of(Waveform::table, 9, T), name};
+        result.inlet.table_time_s = std::move(time);
+        result.inlet.table_velocity_m_s = std::move(velocity);
+        return result;
     };
     return {table("one entry, ", 0.8, {0}, {0.37}), table("two entries, ", 0.7, {0, 0.23}, {0.3, -0.8}),
             table("five entries, ", 0.8, {0, 0.09, 0.26, 0.51, 0.77}, {0.05, 0.41, -0.13, 0.022, 0.31})};
@@ -196,6 +205,74 @@ void eq25_table_seam(Probe& probe)
     }
 }
 
+void eq25_profile(Probe& probe)
+{
+    Quantity& plug =
+        probe.quantity("a plug's velocity over the mean [1]", Source::exact, "1: nothing is computed");
+    Quantity& parabola = probe.quantity(
+        "the parabola against Poiseuille's flow over half its crest [1]", Source::rounding,
+        "gamma_6 of 2 and of 2 r^2/R^2: two products, a quotient, a difference, and the rounding of "
+        "r^2; the oracle's bounds");
+    Quantity& mean = probe.quantity("mean over the section over the mean [1]", Source::quadrature,
+                                    "28 u of the Gauss rule's terms; 2 gamma_6 of a velocity below 2");
+    Quantity& outside = probe.quantity("the parabola on the axis and beyond the wall [1]", Source::exact,
+                                       "2 and 0: sums and products of whole numbers");
+    const auto profile = probe.equations().inlet_profile;
+    Arguments a(252);
+    for (int n = 0; n < 20; ++n) {
+        const double R = a.between(0.1, 2);
+        const analytic::Duct pipe{analytic::Section::pipe, R, 3.3e-6};
+        const analytic::Drive drive{1.7, 0};
+        const Estimate crest = analytic::developed_velocity(pipe, drive, 0, 0);
+        for (int k = 0; k < 10; ++k) {
+            const double r = a.between(0, R);
+            const std::string where = at({{"R", R}, {"r/R", r / R}});
+            const Estimate u = analytic::developed_velocity(pipe, drive, r, 0);
+            const double expected = 2 * u.value / crest.value;
+            const double oracle =
+                (2 * u.error + expected * crest.error) / crest.value + rounding(2) * expected;
+            parabola.within(profile(InletProfile::parabolic, r * r, R), expected,
+                            rounding(6) * (2 + 2 * r * r / (R * R)) + oracle, where);
+            plug.within(profile(InletProfile::plug, r * r, R), 1, 0, where);
+            outside.within(profile(InletProfile::parabolic, (R + r) * (R + r) * 1.01, R), 0, 0, where);
+        }
+        outside.within(profile(InletProfile::parabolic, 0, R), 2, 0, at({{"R", R}}) + ", axis");
+        for (const InletProfile shape : {InletProfile::plug, InletProfile::parabolic}) {
+            const Estimate flow = analytic::integrate_polynomial(
+                [&](double r) { return 2 * r / (R * R) * profile(shape, r * r, R); }, 0, R);
+            mean.within(flow.value, 1, flow.error + 2 * rounding(6) * 2, at({{"R", R}}));
+        }
+    }
+}
+
+void eq25_ramp(Probe& probe)
+{
+    Quantity& bell =
+        probe.quantity("the ramp against int 6 x (1 - x) dx [1]", Source::quadrature,
+                       "28 u of the Gauss rule's terms; u of t/T, where the slope is 3/2 at most, and "
+                       "gamma_4 of 3 s^2 for three products and a difference");
+    Quantity& ends = probe.quantity("the ramp before its start, at its end and beyond, and without one [1]",
+                                    Source::exact, "0 or 1: nothing is rounded");
+    const auto ramp = probe.equations().inlet_ramp;
+    Arguments a(253);
+    for (int n = 0; n < 200; ++n) {
+        const double T = a.between(0.01, 2);
+        const double t = a.between(0, T);
+        const std::string where = at({{"T", T}, {"t/T", t / T}});
+        const double s = t / T;
+        const Estimate expected =
+            analytic::integrate_polynomial([](double x) { return 6 * x * (1 - x); }, 0, s);
+        bell.within(ramp(T, t), expected.value,
+                    expected.error + rounding(2) * 1.5 * s + rounding(4) * 3 * s * s, where);
+        ends.within(ramp(T, -t), 0, 0, where);
+        ends.within(ramp(T, 0), 0, 0, where);
+        ends.within(ramp(T, T), 1, 0, where);
+        ends.within(ramp(T, T + t), 1, 0, where);
+        ends.within(ramp(0, t), 1, 0, where);
+        ends.within(ramp(0, -t), 1, 0, where);
+    }
+}
+
 } // namespace
 
 std::vector<Check> boundary_inlet_checks()
@@ -213,6 +290,12 @@ std::vector<Check> boundary_inlet_checks()
         formula_check("eq25_table_seam", {"25"},
                       "a table goes on where rounding puts the end of a cycle before or behind it",
                       {"the first entry", "construction"}, eq25_table_seam),
+        formula_check(
+            "eq25_profile", {"25"},
+            "over the inlet the velocity is the same everywhere, or a developed flow's, with one mean",
+            {"Poiseuille's parabola", "Gauss rule over the section"}, eq25_profile),
+        formula_check("eq25_ramp", {"25"}, "a start lets the velocity rise from 0 without a kink",
+                      {"Gauss rule over the ramp's slope", "its ends"}, eq25_ramp),
     };
 }
 

@@ -3,7 +3,6 @@
 #include "analytic/lattice/lattice_duct_steps.hpp"
 #include "analytic/lattice/lattice_rows.hpp"
 #include "analytic/lattice/pair_sums.hpp"
-#include "analytic/lattice/sliding_duct.hpp"
 #include "verification/checks/checks.hpp"
 
 #include <cmath>
@@ -15,12 +14,10 @@ namespace
 {
 
 using analytic::Drive;
-using analytic::DuctModes;
 using analytic::DuctOperator;
 using analytic::Lattice;
 using analytic::LatticeDuct;
 using analytic::Profile;
-using analytic::SlidingDuct;
 using std::numbers::pi;
 
 constexpr double rho_0 = 1050; ///< [kg/m^3]
@@ -101,20 +98,20 @@ void symbol_of_the_duct(Probe& probe)
 void steady_ducts(Probe& probe)
 {
     Quantity& quantity =
-        probe.quantity("u, LU by GSL - LDL^T by Eigen [m/s]", Source::solver,
-                       "what A u + g differs from 0, times the bound of the row sums of |A^-1| "
-                       "(-A is an M-matrix), for each");
+        probe.quantity("u, LU by GSL - QR by Eigen [m/s]", Source::solver,
+                       "what A u + g differs from 0, times the bound of the row sums of |A^-1|, for each");
     Quantity& parabola = probe.quantity("u with h = dx, LU - parabola [m/s]", Source::rounding,
                                         "the residual as above; all couplings are one number, whose relative "
                                         "uncertainty, and that of nu_eff, is u's");
     for (const LatticeDuct& duct : ducts()) {
         const DuctOperator A(duct);
         const Profile steady = analytic::steady_flow(A, g);
-        agree(quantity, steady, analytic::steady_flow_by_ldlt(A, g), name(duct));
+        agree(quantity, steady, analytic::steady_flow_by_qr(A, g), name(duct));
         if (duct.layered && duct.lattice.h == duct.lattice.dx) {
-            // only next rows couple, and the wall's first row is at rest: it is the parabola's zero
+            // only next rows couple, and the wall's first row has the opposite velocity of the blood's: the
+            // parabola's values at width/2 +- dx/2 add up to 0
             const double ratio = analytic::viscosity_ratio(duct.lattice).value;
-            const double zero = width / 2 + duct.lattice.dx / 2;
+            const double zero = std::hypot(width / 2, duct.lattice.dx / 2);
             const double text = A.uncertainty(rounding(1), 0).between(0, 1) / A.matrix()(0, 1);
             for (std::size_t a = 0; a < duct.size(); ++a) {
                 const double r = duct.r(a);
@@ -129,109 +126,82 @@ void steady_ducts(Probe& probe)
 void stepped_ducts(Probe& probe)
 {
     Quantity& quantity =
-        probe.quantity("u after n steps, modes in closed form - step by step [m/s]", Source::rounding,
-                       "rounding of the amplitudes; |A v + lambda v| of the modes times their "
-                       "amplitudes and |1 - sum b v| times g, times what a disturbance lasts; n "
-                       "roundings in long double");
+        probe.quantity("u after n steps, by powers of the matrix - step by step [m/s]", Source::rounding,
+                       "n roundings of sums over all columns in long double, for each");
     for (const LatticeDuct& duct : ducts()) {
         const DuctOperator A(duct);
-        const DuctModes modes(A);
-        for (const double alpha : {0.0, 2.0, 8.0}) {
-            const Drive drive{g, alpha * alpha * nu / (width * width / 4)};
-            for (const double part : {0.02, 0.2}) {
-                const double dt = part * modes.largest_step();
-                for (const int n : {1, 7, 400}) {
-                    agree(quantity, modes.after(drive, dt, n), analytic::step_by_step(A, drive, dt, n),
-                          name(duct) + ", alpha " + std::to_string(alpha) + ", step " + std::to_string(n));
-                }
+        for (const double part : {0.02, 0.2}) {
+            const double dt = part * largest_step(A);
+            for (const int n : {1, 7, 400}) {
+                agree(quantity, step_by_powers(A, g, dt, n), step_by_step(A, {g, 0}, dt, n),
+                      name(duct) + ", step " + std::to_string(n));
             }
         }
     }
-    Quantity& slip = probe.quantity("u after n steps with slip, modes - sum of the forces [m/s]",
+    Quantity& slip = probe.quantity("u after n steps with slip, step by step - sum of the forces [m/s]",
                                     Source::rounding, "as above; n roundings of the sum");
     LatticeDuct free = channel(1, 8);
     free.no_slip = false;
-    const DuctModes modes{DuctOperator(free)};
     const Drive drive{g, 2 * pi / 0.8};
     const double dt = 1e-3;
     double sum = 0;
     for (int n = 1; n <= 300; ++n) {
         sum += dt * g * std::sin(drive.omega * n * dt);
     }
-    const Profile swung = modes.after(drive, dt, 300);
+    const Profile swung = step_by_step(DuctOperator(free), drive, dt, 300);
     for (Eigen::Index a = 0; a < swung.value.size(); ++a) {
         slip.within(swung.value(a), sum, swung.error + rounding(308) * sum);
     }
 }
 
 /// The rows of a channel in a cube, between walls of six planes of ghosts from one side to the other.
-analytic::Cloud rows_as_cloud(const LatticeDuct& duct, const SlidingDuct& sliding)
+analytic::Cloud rows_as_cloud(const LatticeDuct& duct, const DuctOperator& A, const Eigen::VectorXd& velocity)
 {
     const int rows = static_cast<int>(duct.size());
     const int edge = rows + 6;
     const double dx = duct.lattice.dx;
-    const Eigen::VectorXd rho = sliding.density();
     analytic::Cloud cloud{duct.lattice.kernel, duct.lattice.h, edge * dx, {}, {}, {}, {}, {}, {}};
     for (int j = 0; j < edge; ++j) {
         const bool free = j < rows;
         for (int n = 0; n < edge * edge; ++n) {
             const int k = n / edge;
-            cloud.position.emplace_back(dx * (n % edge) + (free ? sliding.slid()(j) : 0), j * dx, k * dx);
-            cloud.velocity.emplace_back(free ? sliding.velocity()(j) : 0, 0, 0);
-            cloud.density.push_back(free ? rho(j) : rho_0);
+            cloud.position.emplace_back(dx * (n % edge), j * dx, k * dx);
+            cloud.velocity.emplace_back(free ? velocity(j) : 0, 0, 0);
+            cloud.density.push_back(free ? A.density()(j) : rho_0);
+            cloud.free.push_back(free);
         }
     }
     cloud.mass.assign(cloud.position.size(), duct.mass());
     cloud.pressure.assign(cloud.position.size(), 0);
-    cloud.free.assign(cloud.position.size(), true);
     return cloud;
 }
 
-void slid_ducts(Probe& probe)
+void pairs_of_the_duct(Probe& probe)
 {
-    Quantity& slow =
-        probe.quantity("u of a flow that moves nothing, sliding - frozen columns [m/s / g]", Source::rounding,
-                       "the sliding duct's bound for another text in double, and the frozen one's own");
-    for (const LatticeDuct& duct : {channel(1, 8), channel(1.3, 12), tube(1, 8)}) {
-        constexpr double weak = 0x1p-60;
-        const DuctOperator A(duct);
-        const Drive drive{weak, 20};
-        const double dt = 0.1 * DuctModes(A).largest_step();
-        SlidingDuct sliding(duct);
-        for (int n = 1; n <= 40; ++n) {
-            sliding.step(drive, dt);
-        }
-        const Profile frozen = analytic::step_by_step(A, drive, dt, 40);
-        agree(slow, {sliding.velocity() / weak, sliding.error(rounding(1), width) / weak},
-              {frozen.value / weak, frozen.error / weak}, name(duct));
-    }
-    Quantity& density = probe.quantity("rho of rows that have slid, columns - all pairs [kg/m^3]",
-                                       Source::rounding, "bound of the pair sum's rounding, twice");
     Quantity& force =
-        probe.quantity("change of u of rows that have slid, columns - all pairs [m/s]", Source::rounding,
-                       "bound of the pair sums' rounding, twice, and of the last step's");
+        probe.quantity("du/dt of rows without the force, columns - all pairs [m/s^2]", Source::rounding,
+                       "the pair sums' bounds for (7) and the ghosts' velocities, and the couplings' "
+                       "uncertainty");
     const LatticeDuct duct = channel(1, 6);
-    const Drive drive{g, 0};
-    constexpr double dt = 2e-3;
-    SlidingDuct sliding(duct);
-    for (int n = 0; n < 60; ++n) {
-        sliding.step(drive, dt);
+    const DuctOperator A(duct);
+    Eigen::VectorXd velocity(6);
+    velocity << 0.3, -0.7, 1.1, 0.9, -0.2, 0.5;
+    analytic::Cloud cloud = rows_as_cloud(duct, A, velocity);
+    const int plane = 12 * 12;
+    double of_ghosts = 0;
+    for (std::size_t row = 6; row < 12; ++row) {
+        const auto v = analytic::pair_no_slip_velocity(cloud, row * plane);
+        of_ghosts = std::max(of_ghosts, v.error);
+        std::fill_n(cloud.velocity.begin() + static_cast<std::ptrdiff_t>(row * plane), plane, v.value);
     }
-    const analytic::Cloud cloud = rows_as_cloud(duct, sliding);
-    const Eigen::VectorXd before = sliding.velocity();
-    const Eigen::VectorXd rho = sliding.density();
-    sliding.step(drive, dt);
+    const Eigen::VectorXd rate = A.matrix() * velocity;
+    const double couplings = A.uncertainty(rounding(1), 0).largest_sum(velocity);
     for (std::size_t a = 0; a < duct.size(); ++a) {
         const auto row = static_cast<Eigen::Index>(a);
-        const std::size_t i = a * (duct.size() + 6) * (duct.size() + 6);
-        const auto rho_a = analytic::pair_density(cloud, i);
-        density.within(rho(row), rho_a.value, 2 * rho_a.error, std::to_string(a));
-        const auto F = analytic::pair_viscosity_force(cloud, mu, i);
-        const double change = dt * (F.value(0) / rho_a.value + g);
-        const double relative = rho_a.error / rho_a.value; // of each of two densities
-        force.within(sliding.velocity()(row) - before(row), change,
-                     dt / rho_a.value * (2 * F.error + 4 * relative * std::abs(F.value(0))) +
-                         rounding(8) * (std::abs(change) + std::abs(before(row))),
+        const auto F = analytic::pair_viscosity_force(cloud, mu, a * plane);
+        const double rho = A.density()(row);
+        force.within(rate(row), F.value(0) / rho,
+                     F.error / rho + couplings + of_ghosts * A.matrix().cwiseAbs().maxCoeff(),
                      std::to_string(a));
     }
 }
@@ -271,12 +241,8 @@ void convergence(Probe& probe)
         }
         const double square = width * width / 4;
         limit.within(at_0 / square, 1, error / square, "h/dx " + std::to_string(ratio));
-        // C - a^2 is linear in 1/rows but for a square
-        const double displacement = (4 * (C[2] - square) * rows[2] - 2 * (C[1] - square) * rows[1]) / 2;
-        probe.note("displacement of a resting wall, h/dx " + std::to_string(ratio) + " [dx]",
-                   displacement / (width * width));
-        probe.note("observed order from 64 to 128 rows, nu_eff taken out, h/dx " + std::to_string(ratio),
-                   std::log2((C[1] - square) / (C[2] - square)));
+        probe.note("zero of the profile beyond the wall at 32 rows, h/dx " + std::to_string(ratio) + " [dx]",
+                   (std::sqrt(C[0]) - width / 2) * rows[0] / width);
         probe.note("nu_eff/nu - 1, h/dx " + std::to_string(ratio),
                    analytic::viscosity_ratio(lattice(ratio, 1)).value - 1);
     }
@@ -294,13 +260,13 @@ std::vector<Check> oracle_ducts_checks()
             "oracle_duct_steady", Level::lattice, {"7", "15", "27"},
             "the steady flow of a duct on the lattice is the same by two decompositions, and the parabola "
             "for h = dx",
-            {"gsl_linalg_LU", "Eigen LDL^T", "closed form"}, steady_ducts),
+            {"gsl_linalg_LU", "Eigen QR", "closed form"}, steady_ducts),
         oracle_check("oracle_duct_steps", Level::transient, {"7", "15", "27"},
-                     "steps on the lattice are the same in closed form and one by one",
-                     {"gsl_eigen_symmv", "long double"}, stepped_ducts),
-        oracle_check("oracle_duct_slides", Level::transient, {"5", "7", "15", "27"},
-                     "columns that slide have the frozen ones' flow, and the sums over all pairs",
-                     {"sliding columns", "frozen columns", "sums over all pairs"}, slid_ducts),
+                     "steps on the lattice are the same by powers of the matrix and one by one",
+                     {"powers by doubling", "long double"}, stepped_ducts),
+        oracle_check("oracle_duct_pairs", Level::lattice, {"7", "27"},
+                     "the matrix of a duct is the sum over all pairs", {"columns", "sums over all pairs"},
+                     pairs_of_the_duct),
         oracle_check("oracle_duct_limit", Level::continuous, {"7", "15", "27"},
                      "the steady flow on the lattice tends to Poiseuille's", {"lattice", "Poiseuille"},
                      convergence),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The oracles of section 3.1 for a cloud of particles, (2), (3), (5)-(7), against sums with 50 digits.
+// The oracles for a cloud of particles, (2), (3), (5)-(7), (26), (27), against sums with 50 digits.
 #include "analytic/exact/pairs.hpp"
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
@@ -61,6 +61,13 @@ void pairs(Probe& probe)
                                             Source::rounding, of_sum);
     Quantity& factor =
         probe.quantity("DFSPH factor over all pairs against 50 digits [m^8/kg^2]", Source::rounding, of_sum);
+    Quantity& ahead =
+        probe.quantity("(5) after all have moved against 50 digits [kg/m^3]", Source::rounding, of_sum);
+    Quantity& mean = probe.quantity("Shepard's mean against 50 digits [Pa]", Source::rounding, of_sum);
+    Quantity& no_slip =
+        probe.quantity("no-slip velocity of a ghost against 50 digits [m/s]", Source::rounding, of_sum);
+    Quantity& outlet =
+        probe.quantity("(26) over all pairs against 50 digits [N/m^3]", Source::rounding, of_sum);
     Quantity& neighbors =
         probe.quantity("particles within the support", Source::exact, "integers: distances differ from 2 h");
     const auto vectors = [](Quantity& q, const VectorEstimate& value, const VectorEstimate& expected,
@@ -73,17 +80,28 @@ void pairs(Probe& probe)
     };
     constexpr double mu = 3.5;
     constexpr double rho_0 = 1050;
+    constexpr double time = 0x1p-7; // so that none leaves the support in it
     for (const KernelName kernel : both_kernels) {
-        for (const double ratio : {1.0, 1.2}) {
-            const Cloud c = cloud_of(kernel, ratio);
+        for (const auto& [ratio, given] :
+             {std::pair{1.0, analytic::Given::mirrors}, std::pair{1.2, analytic::Given::at_rest}}) {
+            Cloud c = cloud_of(kernel, ratio);
+            c.given = given;
+            std::vector<Vector3d> way;
+            for (const Vector3d& v : c.velocity) {
+                way.emplace_back(time * v);
+            }
             for (std::size_t i = 1; i < c.position.size(); i += 13) {
-                const analytic::ExactPairs exact = exact_pairs(c, mu, rho_0, i);
+                const analytic::ExactPairs exact = exact_pairs(c, mu, rho_0, time, i);
                 const std::string where =
                     kernel_text(kernel) + at({{"h/dx", ratio}}) + ", particle " + std::to_string(i);
                 numbers(density, pair_density(c, i), exact.density, where);
+                numbers(ahead, pair_density_ahead(c, way, i), exact.density_ahead, where);
+                numbers(mean, pair_mean(c, c.pressure, i), exact.mean, where);
                 numbers(rate, pair_density_rate(c, i), exact.density_rate, where);
                 vectors(force, pair_pressure_force(c, i), exact.pressure_force, where);
                 vectors(viscosity, pair_viscosity_force(c, mu, i), exact.viscosity_force, where);
+                vectors(no_slip, pair_no_slip_velocity(c, i), exact.no_slip_velocity, where);
+                vectors(outlet, pair_outlet_force(c, rho_0, rho_0 / 2, i), exact.outlet_force, where);
                 vectors(acceleration, pair_pressure_acceleration(c, rho_0, i), exact.pressure_acceleration,
                         where);
                 numbers(factor, pair_dfsph_factor(c, i), exact.dfsph_factor, where);
@@ -98,7 +116,7 @@ void pairs(Probe& probe)
 
 std::vector<Check> oracle_pairs_checks()
 {
-    return {oracle_check("oracle_pairs", Level::lattice, {"2", "3", "5", "6", "7"},
+    return {oracle_check("oracle_pairs", Level::lattice, {"2", "3", "5", "6", "7", "26", "27"},
                          "the sums over all pairs of a cloud are those of 50 digits, within their own bounds",
                          {"pair sums in double", "terms from the kernels' definitions, added with 50 digits"},
                          pairs)};

@@ -8,7 +8,9 @@
 #include "verification/comparison/bits.hpp"
 #include "verification/comparison/hash_file.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -74,27 +76,70 @@ Scenario in_units(Scenario scenario, const Units& u)
     return scenario;
 }
 
+SimulationState in_units(SimulationState state, const Units& u)
+{
+    const auto scale = [](auto& values, double f) {
+        for (auto& x : values) {
+            x = f * x;
+        }
+    };
+    Particles& p = state.particles;
+    std::vector<bool> unset; // a mark has no unit
+    std::ranges::transform(p.pressure, std::back_inserter(unset),
+                           [](double pressure) { return pressure <= unset_pressure; });
+    p.mass *= u.of(0, 0, 1);
+    scale(p.position, u.of(1, 0, 0));
+    scale(p.velocity, u.of(1, -1, 0));
+    scale(p.pressure, u.of(-1, -2, 1));
+    scale(p.kappa, u.of(-1, -2, 1));
+    scale(p.drift, u.of(-3, 0, 1));
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        p.pressure[i] = unset[i] ? unset_pressure : p.pressure[i];
+    }
+    state.spacing *= u.of(1, 0, 0);
+    scale(state.outlet_velocity, u.of(1, -1, 0));
+    AneurysmState& a = state.aneurysm;
+    a.radius *= u.of(1, 0, 0);
+    a.thickness *= u.of(1, 0, 0);
+    a.displacement *= u.of(1, 0, 0);
+    a.wall_velocity *= u.of(1, -1, 0);
+    return state;
+}
+
 constexpr const char* same_bits = "bits: multiplying by powers of two is exact, and so every sum, product, "
                                   "quotient and root of the run only changes its exponent";
 
+/// From frame 40 on: before, blood far from the inlet has velocities so small that single precision loses bits of them.
 void units(Probe& probe)
 {
-    Quantity& state =
-        probe.quantity("places, velocities, pressures, the wall in other units", Source::exact, same_bits);
+    Quantity& state = probe.quantity("hashes of the state in other units, after their conversion",
+                                     Source::exact, same_bits);
     Quantity& record = probe.quantity("F_b, R, h, P_c, iterations in other units", Source::exact, same_bits);
     Scenario si = shipped_scenario("quick");
-    si.growth.warm_up_frames = 4;
-    const auto one = probe.simulate(si);
+    si.growth.warm_up_frames = 44;
     const std::array<Units, 2> others{Units{3, 0, 0}, Units{1, -2, -3}};
     constexpr int frames = 12; // warm-up and growth
+    const auto one = probe.simulate(si);
+    const SimulationState sampled = one->state();
+    for (int n = 0; n < 40; ++n) {
+        one->advance();
+    }
+    const SimulationState start = one->state();
     std::vector<FrameRecord> records;
     for (int n = 0; n < frames; ++n) {
         records.push_back(one->advance());
     }
     for (const Units& u : others) {
-        const auto other = probe.simulate(in_units(si, u));
+        const Scenario scenario = in_units(si, u);
         const std::string where = "length 2^" + std::to_string(u.length) + ", time 2^" +
                                   std::to_string(u.time) + ", mass 2^" + std::to_string(u.mass);
+        const auto same = [&](const SimulationState& found, const SimulationState& expected,
+                              const std::string& when) {
+            state.holds(comparison::hashes_of(found) == comparison::hashes_of(in_units(expected, u)),
+                        where + when);
+        };
+        same(probe.simulate(scenario)->state(), sampled, ", as sampled");
+        const auto other = probe.simulate(scenario, in_units(start, u));
         for (const FrameRecord& a : records) {
             const FrameRecord b = other->advance();
             record.within(b.impact_force, a.impact_force * u.of(1, -2, 1), 0, where);
@@ -102,16 +147,9 @@ void units(Probe& probe)
             record.within(b.thickness, a.thickness * u.of(1, 0, 0), 0, where);
             record.within(b.critical_pressure, a.critical_pressure * u.of(-1, -2, 1), 0, where);
             record.equal(b.iterations, a.iterations, where);
+            record.equal(b.corrections, a.corrections, where);
         }
-        const Particles& a = one->state().particles;
-        const Particles& b = other->state().particles;
-        for (std::size_t i = 0; i < a.size(); ++i) {
-            state.within(b.position[i], u.of(1, 0, 0) * a.position[i], 0, where);
-            state.within(b.velocity[i], u.of(1, -1, 0) * a.velocity[i], 0, where);
-            const double unset =
-                a.pressure[i] < 0 ? 1 : u.of(-1, -2, 1); // the mark of no pressure has no unit
-            state.within(b.pressure[i], unset * a.pressure[i], 0, where);
-        }
+        same(other->state(), one->state(), ", after " + std::to_string(frames) + " frames");
     }
     probe.note(
         "(19) as printed has no unit of force", 0,
@@ -125,7 +163,8 @@ void restart(Probe& probe)
                                       "bits: a state holds everything that the run needs to go on");
     Quantity& ruptured = probe.quantity("the run ruptures", Source::exact,
                                         "a claim: else the state of a ruptured wall isn't seen");
-    const Scenario s = shipped_scenario("quick");
+    Scenario s = shipped_scenario("quick");
+    s.rupture.yield_limit_pa = 120; // ruptures within these frames
     const auto whole = probe.simulate(s);
     std::unique_ptr<Simulation> resumed;
     for (int n = 0; n < 180; ++n) {

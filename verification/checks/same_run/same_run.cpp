@@ -36,6 +36,8 @@ SimulationState relabeled(SimulationState state)
     p.position = renumbered(std::move(p.position));
     p.velocity = renumbered(std::move(p.velocity));
     p.pressure = renumbered(std::move(p.pressure));
+    p.kappa = renumbered(std::move(p.kappa));
+    p.drift = renumbered(std::move(p.drift));
     p.kind = renumbered(std::move(p.kind));
     return state;
 }
@@ -177,6 +179,7 @@ void substeps(Probe& probe)
         record.within(both.impact_force, std::max(first.impact_force, second.impact_force), 0, where);
         record.within(both.time, second.time, 0, where);
         record.equal(both.iterations, first.iterations + second.iterations, where);
+        record.equal(both.corrections, first.corrections + second.corrections, where);
         record.equal(both.collisions, first.collisions + second.collisions, where);
         record.equal(both.ledger.inlet_in, second.ledger.inlet_in, where);
         record.equal(both.ledger.recycled, second.ledger.recycled, where);

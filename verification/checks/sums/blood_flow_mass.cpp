@@ -171,7 +171,7 @@ std::vector<Check> blood_flow_mass_checks()
         sum_check("eq02_cloud", {"2", "5"}, "in a disturbed cloud (2) is the time derivative of (5)",
                   {"(5) by the complex step", "brute force over all pairs"}, cloud),
         sum_check("eq02_walls", {"2", "27"},
-                  "between plates (2) is the time derivative of (5) with the ghosts at rest",
+                  "between plates (2) is the time derivative of (5) with the ghosts as mirror images",
                   {"(5) by the complex step", "brute force over all pairs"}, walls),
         sum_check("eq02_drop", {"2"}, "a drop that turns keeps its density, one that expands loses it",
                   {"0", "(5) by the complex step", "brute force over all pairs"}, drop),

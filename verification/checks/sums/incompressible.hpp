@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the checks of the pressure solve (3) have in common.
+// What the checks of both solves of (3) have in common.
 #pragma once
 
+#include "common/guards.hpp"
 #include "verification/checks/box.hpp"
+
+#include <limits>
+#include <vector>
 
 namespace aneurysm::checks
 {
@@ -19,6 +23,39 @@ inline Scenario solve_scenario(KernelName kernel)
     s.pressure.density_correction = 0;
     s.pressure.max_tolerance_per_s = never;
     return s;
+}
+
+/// Pressures may fall to -p: the level is 0, and no absolute pressure is below that.
+inline Scenario with_tension(Scenario s, double p)
+{
+    s.outlet.pressure_pa = p;
+    s.outlet.level_margin = 0;
+    return s;
+}
+
+/// A scenario whose density is corrected, but for beta by neither solve's iterations.
+inline Scenario without_iterations(Scenario s, double beta)
+{
+    s.pressure.density_correction = beta;
+    s.pressure.tolerance_per_s = s.pressure.max_tolerance_per_s = never;
+    s.pressure.correction_tolerance_per_s = s.pressure.correction_max_tolerance_per_s = never;
+    return s;
+}
+
+/// The lowest kappa of blood of this density: nothing pulls it beside a void.
+inline double lowest_kappa(double density, double rho_0)
+{
+    return density < guards::void_density * rho_0 ? 0 : std::numeric_limits<double>::lowest();
+}
+
+/// Each velocity times dt [m].
+inline std::vector<Eigen::Vector3d> ways_of(const analytic::Cloud& cloud, double dt)
+{
+    std::vector<Eigen::Vector3d> way;
+    for (const Eigen::Vector3d& v : cloud.velocity) {
+        way.emplace_back(dt * v);
+    }
+    return way;
 }
 
 } // namespace aneurysm::checks

@@ -11,12 +11,11 @@ namespace aneurysm::checks
 namespace
 {
 
-constexpr int rows = 3; ///< between the plates
 constexpr int cells = 8;
 
 } // namespace
 
-Scenario plates()
+Scenario plates(int rows)
 {
     Scenario s = shipped_scenario("verify_channel");
     s.domain.cells_x = s.domain.cells_z = cells;
@@ -60,6 +59,7 @@ analytic::Cloud cloud_of(const Scenario& s, const SimulationState& state, const 
     }
     c.free.assign(c.position.size(), true);
     c.density = density;
+    const auto rows = static_cast<double>(s.domain.cells_y);
     for (const double y : {-1.5, -0.5, rows + 0.5, rows + 1.5}) {
         for (int i = 0; i < cells; ++i) {
             for (int k = 0; k < cells; ++k) {

@@ -10,9 +10,9 @@
 namespace aneurysm::checks
 {
 
-/// data/scenarios/verify_channel.json with few rows, so that the cloud's cube holds them and their ghosts, and
-/// no force.
-Scenario plates();
+/// data/scenarios/verify_channel.json with few rows and no force; the cloud's cube holds up to 4 rows and their
+/// ghosts.
+Scenario plates(int rows = 3);
 
 /// Each particle up to a quarter of a spacing from its place, with velocities up to 0.5 m/s.
 SimulationState disturbed(const Probe& probe, const Scenario& s);
