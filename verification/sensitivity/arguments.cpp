@@ -24,7 +24,8 @@ constexpr std::string_view of_run = "the part is a constant of the run: its valu
 constexpr std::string_view even = "only an even power of the part is used";
 constexpr std::string_view size = "only the length of the vector that it multiplies is used";
 
-constexpr std::array<Equivalent, 10> equivalents{{
+constexpr std::array<Equivalent, 11> equivalents{{
+    {eq02_mirrors, Kind::off_by_one, true, true, constant},
     {eq03_density, Kind::off_by_one, true, true, of_run},
     {eq04_square, Kind::off_by_one, false, true, constant},
     {eq04_slope_line, Kind::off_by_one, false, true, constant},

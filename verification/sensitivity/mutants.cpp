@@ -99,7 +99,7 @@ std::vector<Mutant> daily_mutants()
         {eq23_cap, device, Kind::coefficient, mutant_size},
         {eq24_root, reference, Kind::power, mutant_size},
         {eq25_phase, device, Kind::coefficient, mutant_size},
-        {eq26_slab_push, reference, Kind::sign, mutant_size},
+        {eq26_dynamic, reference, Kind::sign, mutant_size},
         {eq27_velocity, device, Kind::coefficient, mutant_size},
         {eq28_spring, reference, Kind::off_by_one, mutant_size},
     };
