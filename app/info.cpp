@@ -43,7 +43,7 @@ private:
 std::string flow_info(const Scenario& s)
 {
     const double dx = estimated_spacing(s);
-    const double v_0 = largest_inlet_speed(s);
+    const double v_0 = largest_inlet_velocity(s);
     const double r_0 = s.vessel.radius_m;
     const double rho_0 = s.fluid.density_kg_m3;
     const double step = s.time.frame_s / static_cast<double>(s.time.substeps);
@@ -52,7 +52,7 @@ std::string flow_info(const Scenario& s)
     Lines lines;
     lines.add("particle spacing dx, about", dx, "m")
         .add("particle mass, about", rho_0 * dx * dx * dx, "kg")
-        .add("spacings that the inlet moves in a step", v_0 * step / dx)
+        .add("spacings that the inlet moves in a step", largest_inlet_speed(s) * step / dx)
         .add("step", step, "s")
         .add("  its limit by convection, about", limits.convective, "s")
         .add("  its limit by viscosity, about", limits.viscous, "s");
@@ -65,7 +65,7 @@ std::string flow_info(const Scenario& s)
     lines.add("particle spacings across the parent", 2 * r_0 / dx)
         .add("radius of the daughters, (24)", reference::daughter_radius(r_0), "m")
         .add("Reynolds number rho_0 v_0 2 r_0 / mu", rho_0 * v_0 * 2 * r_0 / s.fluid.viscosity_pa_s)
-        .add("outlet pressure", s.outlet.pressure_pa, "Pa")
+        .add("largest level of the pressure, p_const", s.outlet.pressure_pa, "Pa")
         .add("  that of decelerating blood, rho L 2 pi v_0/T",
              rho_0 * path * 2 * std::numbers::pi * v_0 / s.inlet.cycle_s, "Pa");
     return lines.text();

@@ -9,6 +9,7 @@
 #include "output/hdf5.hpp"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <sstream>
 #include <string>
@@ -22,10 +23,10 @@ namespace
 /// The file starts with a line "aneurysm checkpoint VERSION HASH" in HDF5's user block; the hash is that of
 /// all bytes after the block, so that nothing damaged reaches HDF5.
 constexpr std::string_view format = "aneurysm checkpoint";
-constexpr int version = 1;
+constexpr int version = 2;
 constexpr std::size_t block_size = 512;
 
-static_assert(sizeof(Particles) == 4 * sizeof(std::vector<double>) + 8);
+static_assert(sizeof(Particles) == 6 * sizeof(std::vector<double>) + 8);
 static_assert(sizeof(SimulationState) ==
               16 + sizeof(Particles) + sizeof(AneurysmState) + sizeof(Ledger) + 2 * sizeof(double));
 
@@ -35,6 +36,8 @@ void write_particles(const hdf5::Group& group, const Particles& particles)
     group.write("position_m", particles.position);
     group.write("velocity_m_s", particles.velocity);
     group.write("pressure_pa", particles.pressure);
+    group.write("kappa_pa", particles.kappa);
+    group.write("drift_kg_m3", particles.drift);
     group.write("kind", particles.kind);
 }
 
@@ -44,8 +47,13 @@ Particles read_particles(const hdf5::Group& group)
                 .position = group.read_vectors("position_m"),
                 .velocity = group.read_vectors("velocity_m_s"),
                 .pressure = group.read<double>("pressure_pa"),
+                .kappa = group.read<double>("kappa_pa"),
+                .drift = group.read<double>("drift_kg_m3"),
                 .kind = group.read_kinds("kind")};
-    if (p.velocity.size() != p.size() || p.pressure.size() != p.size() || p.kind.size() != p.size()) {
+    const auto differs = [&p](std::size_t size) { return size != p.size(); };
+    if (std::ranges::any_of(
+            std::array{p.velocity.size(), p.pressure.size(), p.kappa.size(), p.drift.size(), p.kind.size()},
+            differs)) {
         group.task().fail("the particles", "arrays of different lengths");
     }
     return p;
@@ -102,6 +110,11 @@ void check_block(const std::string& bytes, const std::string& where)
     words >> found_version >> found_hash;
     if (found_version.empty()) {
         throw InputError(where, "is no checkpoint", "needed: the checkpoint.h5 of a run");
+    }
+    if (found_version == "1") {
+        throw InputError(
+            where, "checkpoint of version 1, which lacks the potential of the density's correction",
+            "needed: version " + std::to_string(version) + ", or the program that wrote this one");
     }
     if (found_version != std::to_string(version)) {
         throw InputError(where, "checkpoint of another version (" + found_version + ")",

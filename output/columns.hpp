@@ -44,7 +44,7 @@ void visit_aneurysm(A& aneurysm, Visitor&& v)
     v("rupture_frame", aneurysm.rupture_frame);
 }
 
-static_assert(sizeof(FrameRecord) == 29 * sizeof(double) + sizeof(Ledger));
+static_assert(sizeof(FrameRecord) == 30 * sizeof(double) + sizeof(Ledger));
 template <class Record, class Visitor>
 void visit_record(Record& r, Visitor&& v)
 {
@@ -62,6 +62,7 @@ void visit_record(Record& r, Visitor&& v)
     v("critical_pressure_pa", r.critical_pressure);
     v("displacement_m", r.displacement);
     v("iterations", r.iterations);
+    v("corrections", r.corrections);
     v("density_error_mean", r.density_error_mean);
     v("density_error_max", r.density_error_max);
     v("density_error_min", r.density_error_min);

@@ -120,14 +120,15 @@ std::vector<FrameRecord> read_frames(const std::filesystem::path& file)
 
 std::string hashes_header()
 {
-    return "frame,position,velocity,pressure,kind,aneurysm";
+    return "frame,position,velocity,pressure,kappa,drift,kind,aneurysm";
 }
 
 std::string hashes_row(const SimulationState& state)
 {
     const Particles& p = state.particles;
     return text_of(state.frame) + "," + hash_of(p.position) + "," + hash_of(p.velocity) + "," +
-           hash_of(p.pressure) + "," + hash_of(p.kind) + "," + hash_of(state.aneurysm);
+           hash_of(p.pressure) + "," + hash_of(p.kappa) + "," + hash_of(p.drift) + "," + hash_of(p.kind) +
+           "," + hash_of(state.aneurysm);
 }
 
 std::string state_hash(const SimulationState& state)

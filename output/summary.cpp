@@ -25,6 +25,7 @@ struct Totals {
     double residual_mean = 0; ///< largest of the frames' means
     double residual_max = 0;
     double iterations = 0;           ///< mean
+    double corrections = 0;          ///< mean
     std::int64_t settled_frames = 0; ///< after the warm-up
     std::int64_t outside = 0;        ///< most particles beyond the wall before rupture
     std::int64_t rupture_frame = -1;
@@ -51,6 +52,7 @@ Totals totals_of(const Scenario& scenario, const std::vector<FrameRecord>& recor
         t.residual_mean = std::max(t.residual_mean, r.residual_mean);
         t.residual_max = std::max(t.residual_max, r.residual_max);
         t.iterations += static_cast<double>(r.iterations);
+        t.corrections += static_cast<double>(r.corrections);
         const double pressure = r.impact_force / scenario.rupture.conversion_area_m2;
         const bool whole = t.rupture_frame < 0 || t.rupture_frame == r.frame;
         if (whole && r.critical_pressure > 0 && pressure / r.critical_pressure > t.largest_ratio) {
@@ -60,6 +62,7 @@ Totals totals_of(const Scenario& scenario, const std::vector<FrameRecord>& recor
     }
     t.density_error_mean /= static_cast<double>(std::max<std::int64_t>(t.settled_frames, 1));
     t.iterations /= static_cast<double>(std::max<std::int64_t>(t.settled_frames, 1));
+    t.corrections /= static_cast<double>(std::max<std::int64_t>(t.settled_frames, 1));
     return t;
 }
 
@@ -99,7 +102,7 @@ std::string particle_lines(const Scenario& scenario, const FrameRecord& last, co
 {
     std::ostringstream text;
     text << "  particles      " << last.total << (t.constant ? " in every frame" : ", NOT CONSTANT") << "; "
-         << last.fluid << " of them blood at the end, the others ghosts of open ends and reserve\n";
+         << last.fluid << " of them blood at the end, the others behind the open ends and in reserve\n";
     const Ledger& l = last.ledger;
     if (l.inlet_in + l.inlet_out + l.outlet_in + l.outlet_out > 0) {
         text << "  flow, net      " << net(l.inlet_in - l.inlet_out, " in", " back out") << " at the inlet, "
@@ -152,7 +155,8 @@ std::string error_lines(const Scenario& scenario, const Totals& t)
     if (scenario.pressure.model == PressureModel::dfsph) {
         text << "  residual of (3) at most " << t.residual_mean << " /s mean, " << t.residual_max
              << " /s largest (allowed: " << scenario.pressure.tolerance_per_s << ", "
-             << scenario.pressure.max_tolerance_per_s << "); " << t.iterations << " iterations a frame\n";
+             << scenario.pressure.max_tolerance_per_s << "); " << t.iterations << " iterations a frame, and "
+             << t.corrections << " for the density\n";
     }
     return text.str();
 }

@@ -77,7 +77,7 @@ ShownParticles shown_particles(const ParticleFields& fields)
             shown.position.push_back(p.position[i]);
             shown.velocity.push_back(p.velocity[i]);
             shown.density.push_back(fields.density.empty() ? unknown : fields.density[i]);
-            shown.pressure.push_back(p.pressure[i]);
+            shown.pressure.push_back(p.pressure[i] == unset_pressure ? 0 : p.pressure[i]);
             shown.kind.push_back(p.kind[i]);
         }
     }

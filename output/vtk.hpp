@@ -28,10 +28,12 @@ struct ShownParticles {
     std::vector<Vec3> position;   ///< [m]
     std::vector<Vec3> velocity;   ///< [m/s]
     std::vector<double> density;  ///< NaN when not known yet [kg/m^3]
-    std::vector<double> pressure; ///< [Pa]
+    std::vector<double> pressure; ///< 0 where there is none yet [Pa]
     std::vector<Kind> kind;       ///< never the reserve
 
     std::size_t size() const { return position.size(); }
+    /// Whether it is blood in the artery or beyond the breach, not in the buffer of an open end.
+    bool is_blood(std::size_t i) const { return kind[i] == Kind::fluid || kind[i] == Kind::escaped; }
 };
 
 /// What write_vtk writes of these.

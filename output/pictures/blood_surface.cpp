@@ -115,7 +115,7 @@ Box box_around(const output::ShownParticles& particles, double margin)
 {
     Box box{particles.position.at(0), particles.position.at(0)};
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        if (is_free(particles.kind[i])) {
+        if (particles.is_blood(i)) {
             box.include(particles.position[i], margin);
         }
     }

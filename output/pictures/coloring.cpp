@@ -70,7 +70,7 @@ void RangeFinder::add(const output::ShownParticles& particles)
 {
     const std::vector<double> values = shown_values(particles, quantity_);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (is_free(particles.kind[i])) {
+        if (particles.is_blood(i)) {
             values_.push_back(values[i]);
         }
     }

@@ -176,7 +176,7 @@ void Scene::show_particles(const output::ShownParticles& particles, const Look& 
     vtkNew<vtkCellArray> vertices;
     vtkNew<vtkDoubleArray> values;
     for (std::size_t i = 0; i < particles.size(); ++i) {
-        if (is_free(particles.kind[i])) {
+        if (particles.is_blood(i)) {
             const Vec3& x = particles.position[i];
             const vtkIdType n = points->InsertNextPoint(x.x, x.y, x.z);
             vertices->InsertNextCell(1, &n);
