@@ -99,6 +99,8 @@ inline SimulationState any_state(std::int64_t frame, std::size_t count = 50)
         s.particles.position.push_back(numbers.vector());
         s.particles.velocity.push_back(numbers.vector());
         s.particles.pressure.push_back(numbers.next());
+        s.particles.kappa.push_back(numbers.next());
+        s.particles.drift.push_back(numbers.next());
         s.particles.kind.push_back(static_cast<Kind>(i % 6));
     }
     visit_aneurysm(s.aneurysm, [&](std::string_view, auto& x) { set(numbers, x); });

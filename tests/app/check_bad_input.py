@@ -71,6 +71,12 @@ scenarios = [
     (changed(inlet={"waveform": "sin"}), "inlet.waveform", True),
     (changed(aneurysm={"shape": "cubic"}), "aneurysm.shape", True),
     (changed(pressure={"relaxation": 1}), "pressure.relaxation", True),
+    (changed(inlet={"profile": "parabola"}), "inlet.profile", True),
+    (changed(inlet={"ramp_s": -0.05}), "inlet.ramp_s", True),
+    (changed(outlet={"level_margin": -1}), "outlet.level_margin", True),
+    (changed(controller={"refill_distance_spacings": 0}), "controller.refill_distance_spacings", True),
+    (changed(controller={"probe_depth_spacings": 2}), "controller.probe_depth_spacings: key of an earlier version", True),
+    (changed(settling={"steps": 40}), "allowed: settling.pushing_rounds", True),
     ({"base": str(base), "assumed": {"vessel.color": "red"}}, "assumed", True),
     ({"base": str(base), "assumed": {"vessel.radius_m": ""}}, "assumed.vessel.radius_m", True),
     # What contradicts other values is beyond a schema.
@@ -85,6 +91,7 @@ scenarios = [
     (changed(time={"frame_s": 0.02}), "time.frame_s", False),
     (changed(elastic_wall={"stiffness_n_m": 1e9}), "elastic_wall.stiffness_n_m", False),
     (changed(inlet={"waveform": "table"}), "inlet.table_time_s", False),
+    (changed(outlet={"pressure_pa": 0}), "outlet.level_margin", False),
     (changed(inlet={"table_time_s": [0, 1], "table_velocity_m_s": [1, 1]}), "inlet.table_time_s", False),
 ]
 
@@ -140,7 +147,8 @@ def check_checkpoints(directory):
     for bad, why in [(good[:-1], "truncated"), (good[: len(good) // 2], "truncated"), (good[:100], "truncated"),
                      (b"", "no checkpoint"), (b"text", "no checkpoint"), (foreign, "no checkpoint"),
                      (good[:-99] + b"x" + good[-98:], "damaged"),
-                     (good.replace(b"checkpoint 1", b"checkpoint 7", 1), "another version (7)")]:
+                     (good.replace(b"checkpoint 2", b"checkpoint 7", 1), "another version (7)"),
+                     (good.replace(b"checkpoint 2", b"checkpoint 1", 1), "lacks the potential")]:
         checkpoint.write_bytes(bad)
         refused(directory, again, [checkpoint, why])
     checkpoint.write_bytes(good)

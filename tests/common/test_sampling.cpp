@@ -4,6 +4,7 @@
 #include "tests/cells.hpp"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 using namespace aneurysm;
@@ -120,7 +121,19 @@ Place place_of(const Vessel& vessel, double R, double dx, const Vec3& x)
     return beyond < 0 ? Place::artery : slab(k);
 }
 
-/// Each particle is on the cubic lattice, in its place, once; and no lattice point is forgotten.
+/// The same point, in the middle of its layer of the inlet's buffer; nothing where it is on a layer's border.
+std::optional<Vec3> in_phase(const Vessel& vessel, double dx, const Vec3& x)
+{
+    const Opening& inlet = vessel.openings()[0];
+    const double layer = inlet.beyond(x) / dx;
+    if (std::abs(layer - std::round(layer)) < 1e-9) {
+        return {};
+    }
+    return x + (std::floor(layer) + 0.5 - layer) * dx * inlet.outward;
+}
+
+/// Each particle is on the cubic lattice, in its place, once, and no lattice point is forgotten; those of the inlet's
+/// buffer may be shifted along its axis, within their layer.
 template <class Candidate>
 bool fills_vessel_and_slabs(Candidate sample)
 {
@@ -136,9 +149,13 @@ bool fills_vessel_and_slabs(Candidate sample)
             }
         };
         add(lattice.fluid, Place::artery);
-        for (std::size_t k = 0; k < 3; ++k) {
-            add(lattice.openings[k], slab(k));
+        for (const Vec3& x : lattice.openings[0]) {
+            const std::optional<Vec3> middle = in_phase(s.vessel, dx, x);
+            good = good && middle;
+            add({middle.value_or(x)}, slab(0));
         }
+        add(lattice.openings[1], slab(1));
+        add(lattice.openings[2], slab(2));
         for_each_cell(dx, 5.5, [&](const Cell& cell) {
             const Place expected = place_of(s.vessel, s.R, dx, center_of(s.vessel, dx, cell));
             const auto it = found.find(cell);
@@ -165,6 +182,51 @@ BOOST_AUTO_TEST_CASE(lattice_is_cubic_and_fills_vessel_and_slabs)
     BOOST_TEST(is_found([](Lattice& lattice) { lattice.fluid.pop_back(); }));
     BOOST_TEST(is_found([](Lattice& lattice) { lattice.fluid[7].x += 1e-9 * lattice.spacing; }));
     BOOST_TEST(is_found([](Lattice& lattice) { std::swap(lattice.openings[1], lattice.openings[2]); }));
+    BOOST_TEST(is_found([](Lattice& lattice) { lattice.openings[0][5].y += lattice.spacing; }));
+    BOOST_TEST(is_found([](Lattice& lattice) { lattice.openings[0][5].x += 1e-9 * lattice.spacing; }));
+}
+
+namespace
+{
+
+/// Whether no two columns of the inlet's buffer that lie side by side cross its plane together: by the sequence they are
+/// 0.2451 or 0.4302 spacings out of phase, along x and z.
+template <class Candidate>
+bool columns_are_out_of_phase(Candidate sample)
+{
+    return for_all_sacs([&](const Sample& s) {
+        const double dx = 0.11;
+        const std::vector<Vec3> buffer = sample(s.vessel, s.R, dx).openings[0];
+        const auto phase = [&](const Vec3& x) { return s.vessel.openings()[0].beyond(x) / dx; };
+        int pairs = 0;
+        const bool good = std::ranges::all_of(buffer, [&](const Vec3& a) {
+            return std::ranges::all_of(buffer, [&](const Vec3& b) {
+                const Vec3 d = (a - b) / dx;
+                const double apart = std::hypot(d.x, d.z);
+                if (apart < 0.5 || apart > 1.2) {
+                    return true;
+                }
+                ++pairs;
+                const double turns = phase(a) - phase(b);
+                return std::abs(turns - std::round(turns)) > 0.245;
+            });
+        });
+        return good && pairs > 0;
+    });
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_inlets_columns_cross_its_plane_one_after_the_other)
+{
+    BOOST_TEST(columns_are_out_of_phase(sample_lattice));
+    BOOST_TEST(!columns_are_out_of_phase([](const Vessel& vessel, double R, double dx) {
+        Lattice lattice = sample_lattice(vessel, R, dx);
+        for (Vec3& x : lattice.openings[0]) {
+            x = in_phase(vessel, dx, x).value_or(x);
+        }
+        return lattice;
+    }));
 }
 
 BOOST_AUTO_TEST_CASE(sampling_gives_the_same_bits_twice)

@@ -264,6 +264,14 @@ const Contradiction contradictions[] = {
     {"base", "elastic_wall.stiffness_n_m", R"({"elastic_wall": {"stiffness_n_m": 4.001e7}})"},
     {"base", "pressure.max_tolerance_per_s",
      R"({"pressure": {"tolerance_per_s": 2, "max_tolerance_per_s": 1}})"},
+    {"base", "pressure.correction_max_tolerance_per_s",
+     R"({"pressure": {"correction_tolerance_per_s": 2, "correction_max_tolerance_per_s": 1}})"},
+    {"base", "", R"({"inlet": {"profile": "parabolic"}})"},
+    // twice as fast on the axis
+    {"base", "", R"({"inlet": {"peak_velocity_m_s": 11}})"},
+    {"base", "time.frame_s", R"({"inlet": {"profile": "parabolic", "peak_velocity_m_s": 11}})"},
+    {"base", "outlet.level_margin", R"({"outlet": {"pressure_pa": 0}})"},
+    {"base", "", R"({"outlet": {"pressure_pa": 0, "level_margin": 0}})"},
     {"base", "growth.largest_increment_m", R"({"growth": {"largest_increment_m": 1}})"},
     {"base", "rupture.recycle_distance_radii",
      R"({"rupture": {"breach_radius_radii": 0.5, "recycle_distance_radii": 0.5}})"},
@@ -272,6 +280,10 @@ const Contradiction contradictions[] = {
     {"verify_channel", "domain.cells_x", R"({"domain": {"cells_x": 5}})"},
     {"verify_channel", "domain.cells_x", R"({"domain": {"form": "artery", "spacing_m": 0}})"},
     {"verify_channel", "domain.cells_z", R"({"domain": {"form": "tube", "cells_z": 8}})"},
+    {"verify_channel", "inlet.profile", R"({"inlet": {"profile": "parabolic"}})"},
+    {"verify_channel", "inlet.ramp_s", R"({"inlet": {"ramp_s": 0.05}})"},
+    {"verify_duct", "inlet.profile", R"({"inlet": {"profile": "parabolic"}})"},
+    {"verify_pipe", "", R"({"inlet": {"profile": "parabolic"}})"},
     {"verify_channel", "aneurysm.shape", R"({"aneurysm": {"shape": "spherical"}})"},
 };
 
@@ -318,6 +330,27 @@ BOOST_AUTO_TEST_CASE(text_that_is_no_scenario_is_refused)
         Json json = Json::parse(good);
         json.merge_patch({{"assumed", assumed}});
         BOOST_TEST(refused(json.dump(), path));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_key_of_an_earlier_version_is_refused_with_what_took_its_place)
+{
+    for (const auto& [path, instead] :
+         {std::pair{"controller.probe_depth_spacings", "none, since forces move"},
+          {"controller.piston_reach_spacings", "none, since the inlet's blood pushes"},
+          {"controller.closest_entry_spacings", "controller.refill_distance_spacings"},
+          {"settling.steps", "settling.pushing_rounds"}}) {
+        Json json = Json::parse(to_json(base()));
+        json[pointer(path)] = 2;
+        const std::string message = message_of([&] { parse_scenario(json.dump(), "here"); });
+        BOOST_TEST(
+            message.starts_with("here: " + std::string(path) + ": key of an earlier version (value 2)"));
+        BOOST_TEST(contains(message, instead));
+        json = Json::parse(to_json(base()));
+        json["assumed"][path] = "why";
+        const std::string reason = message_of([&] { parse_scenario(json.dump(), "here"); });
+        BOOST_TEST(reason.starts_with("here: assumed." + std::string(path) + ": key of an earlier version"));
+        BOOST_TEST(contains(reason, instead));
     }
 }
 

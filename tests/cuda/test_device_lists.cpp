@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The optimized backend's lists of neighbors, which grow when a frame needs more room.
 #include "common/scenario/shipped.hpp"
+#include "common/vessel/geometry.hpp"
+#include "common/vessel/sampling.hpp"
+#include "cuda/bifurcation.hpp"
 #include "cuda/simulation.hpp"
 
 #include <boost/test/unit_test.hpp>
@@ -31,18 +34,38 @@ SimulationState settled()
 {
     return device::make_cpu_simulation(two_steps(), Precision::double_, {}, {})->state();
 }
-/// Ghosts behind the first outlet start as blood: they have neighbors in the first step, and are ghosts
-/// again in the second.
-SimulationState with_blood_behind_an_outlet()
+
+/// The reserve starts beyond the far end of the first outlet's buffer: it has neighbors in the first step, and is in the
+/// reserve again in the second.
+SimulationState with_blood_beyond_an_outlet()
 {
     SimulationState state = settled();
-    for (Kind& kind : state.particles.kind) {
-        kind = kind == Kind::outlet_1 ? Kind::fluid : kind;
+    const Scenario scenario = two_steps();
+    const Vessel vessel(scenario, device::daughter_radius(scenario.vessel.radius_m));
+    const Vec3 beyond = (opening_layers + 0.5) * state.spacing * vessel.openings()[1].outward;
+    Particles& p = state.particles;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] != Kind::outlet_1) {
+            continue;
+        }
+        while (next < p.size() && p.kind[next] != Kind::reserve) {
+            ++next;
+        }
+        if (next == p.size()) {
+            break;
+        }
+        p.kind[next] = Kind::fluid; // not to be copied itself
+        p.position[next] = p.position[i] + beyond;
+    }
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        const bool is_beyond = vessel.openings()[1].beyond(p.position[i]) > opening_layers * state.spacing;
+        p.kind[i] = p.kind[i] == Kind::fluid && is_beyond ? Kind::outlet_1 : p.kind[i];
     }
     return state;
 }
 
-/// Places in the lists of free neighbors, at most in one step of the first frame.
+/// Places in the lists of blood, at most in one step of the first frame.
 std::int64_t wanted(const SimulationState& state)
 {
     const auto simulation = simulate(state, 0);
@@ -68,7 +91,7 @@ BOOST_AUTO_TEST_CASE(lists_that_start_too_short_give_the_same_bits)
 /// A step that finds its lists too short is followed by one for which they are long enough.
 BOOST_AUTO_TEST_CASE(lists_have_room_for_the_longest_of_a_frames_steps)
 {
-    const SimulationState start = with_blood_behind_an_outlet();
+    const SimulationState start = with_blood_beyond_an_outlet();
     const std::int64_t longest = wanted(start);
     const std::int64_t later = wanted(settled());
     BOOST_TEST(later < longest);

@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_at_the_start)
     }
 }
 
-BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_when_a_slab_turns_round)
+BOOST_AUTO_TEST_CASE(same_bits_as_the_cpu_when_the_outlets_turn_round)
 {
     const auto turns = [](const FrameRecord& last, const FrameRecord& record) {
         return last.outlet_velocity > 0 && record.outlet_velocity < 0;

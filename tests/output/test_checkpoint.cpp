@@ -26,6 +26,8 @@ BOOST_AUTO_TEST_CASE(every_field_is_in_the_hash)
     BOOST_TEST(changes([](SimulationState& o) { o.particles.position.back().z = 1; }));
     BOOST_TEST(changes([](SimulationState& o) { o.particles.velocity.front().x = 1; }));
     BOOST_TEST(changes([](SimulationState& o) { o.particles.pressure.back() = 1; }));
+    BOOST_TEST(changes([](SimulationState& o) { o.particles.kappa.front() = 1; }));
+    BOOST_TEST(changes([](SimulationState& o) { o.particles.drift.back() = 1; }));
     BOOST_TEST(changes([](SimulationState& o) { o.particles.kind.front() = Kind::escaped; }));
     BOOST_TEST(changes([](SimulationState& o) { o.outlet_velocity[1] = 1; }));
     BOOST_TEST(changes([](SimulationState& o) { o.aneurysm.phase = Phase::ruptured; }));
@@ -44,6 +46,8 @@ BOOST_AUTO_TEST_CASE(a_checkpoint_comes_back_to_the_same_bits)
     BOOST_TEST(state_hash(c.state) == state_hash(s));
     BOOST_TEST(c.state.frame == 123);
     BOOST_TEST((c.state.particles.position == s.particles.position));
+    BOOST_TEST((c.state.particles.kappa == s.particles.kappa));
+    BOOST_TEST((c.state.particles.drift == s.particles.drift));
     BOOST_TEST((c.state.particles.kind == s.particles.kind));
     const std::string bytes = read_text(file);
     write_checkpoint(file, scenario(), s);
@@ -89,10 +93,13 @@ BOOST_AUTO_TEST_CASE(a_foreign_checkpoint_is_refused)
     write_checkpoint(file, scenario(), s);
     const std::string good = read_text(file);
     const std::string start = "aneurysm checkpoint ";
-    BOOST_REQUIRE(good.starts_with(start + "1 "));
-    write_text(file, start + "2" + good.substr(start.size() + 1));
-    BOOST_TEST(contains(message(), "another version (2)"));
-    BOOST_TEST(contains(message(), "version 1"));
+    BOOST_REQUIRE(good.starts_with(start + "2 "));
+    write_text(file, start + "3" + good.substr(start.size() + 1));
+    BOOST_TEST(contains(message(), "another version (3)"));
+    BOOST_TEST(contains(message(), "needed: version 2"));
+    write_text(file, start + "1" + good.substr(start.size() + 1));
+    BOOST_TEST(contains(message(), "version 1, which lacks"));
+    BOOST_TEST(contains(message(), "the program that wrote this one"));
 }
 
 BOOST_AUTO_TEST_CASE(a_file_of_hdf5_that_lacks_something_is_refused)

@@ -149,7 +149,8 @@ BOOST_AUTO_TEST_CASE(particle_files_are_vtkhdf)
 {
     const Scratch scratch;
     const fs::path file = scratch.path / "p.vtkhdf";
-    const SimulationState s = any_state(1, 60); // ten of each kind, the reserve included
+    SimulationState s = any_state(1, 60); // ten of each kind, the reserve included
+    s.particles.pressure[1] = unset_pressure;
     std::vector<double> density;
     for (std::size_t i = 0; i < 60; ++i) {
         density.push_back(static_cast<double>(i));
@@ -179,6 +180,9 @@ BOOST_AUTO_TEST_CASE(particle_files_are_vtkhdf)
         BOOST_TEST(kind[i] != 0);
     }
     BOOST_TEST(points.read<double>("velocity", 3).size() == 150);
-    BOOST_TEST(points.read<double>("pressure").size() == 50);
+    const auto pressure = points.read<double>("pressure");
+    BOOST_TEST(pressure.size() == 50);
+    BOOST_TEST(pressure[0] == 0);
+    BOOST_TEST(pressure[1] == s.particles.pressure[2]);
     BOOST_CHECK_NO_THROW(write_vtk(file, {s.particles, {}}));
 }

@@ -33,7 +33,7 @@ std::vector<std::size_t> all_pairs(const Bodies& b, const reference::Period& per
     return found;
 }
 
-/// Whether the lists of `neighbors` are those of all pairs, ascending, and empty for bodies that aren't free.
+/// Whether the lists of `neighbors` are those of all pairs, ascending, and empty for bodies that aren't blood.
 bool equal_all_pairs(const reference::Neighbors& neighbors, const Bodies& b, const reference::Period& period)
 {
     for (std::size_t i = 0; i < b.size(); ++i) {
@@ -41,14 +41,14 @@ bool equal_all_pairs(const reference::Neighbors& neighbors, const Bodies& b, con
         for (const reference::Neighbor& n : neighbors.of(i)) {
             found.push_back(n.j);
         }
-        if (found != (b.free(i) ? all_pairs(b, period, i) : std::vector<std::size_t>{})) {
+        if (found != (b.blood(i) ? all_pairs(b, period, i) : std::vector<std::size_t>{})) {
             return false;
         }
     }
     return true;
 }
 
-/// Bodies in a box; every fifth a ghost, every seventh absent.
+/// Bodies in a box; every fifth a ghost, every seventh absent, every eleventh driven.
 Bodies cloud(std::uint64_t seed, std::size_t count, const Vec3& box)
 {
     Random random(seed);
@@ -57,7 +57,8 @@ Bodies cloud(std::uint64_t seed, std::size_t count, const Vec3& box)
         b.position.push_back(random.point(1) + Vec3{1, 1, 1});
         Vec3& x = b.position.back();
         x = {0.5 * box.x * x.x, 0.5 * box.y * x.y, 0.5 * box.z * x.z};
-        b.role.push_back(i % 7 == 3 ? Role::absent : i % 5 == 1 ? Role::mirror : Role::free);
+        const Role blood = i % 11 == 5 ? Role::driven : Role::free;
+        b.role.push_back(i % 7 == 3 ? Role::absent : i % 5 == 1 ? Role::mirror : blood);
     }
     b.velocity.resize(count);
     b.mass.assign(count, 1);

@@ -3,9 +3,12 @@
 // ends a run or refuses to start it. What a run of scenario `quick` does is checked by the suite: eq25_bookkeeping,
 // eq03_iteration_count, restart, and the hashes of its baseline.
 #include "common/scenario/limits.hpp"
+#include "common/vessel/initial_state.hpp"
+#include "output/checkpoint.hpp"
 #include "output/frames.hpp"
 #include "reference/incompressible.hpp"
 #include "reference/simulation.hpp"
+#include "tests/files.hpp"
 #include "tests/vessels.hpp"
 
 #include <algorithm>
@@ -35,18 +38,15 @@ Run run(const Scenario& scenario, reference::Simulation simulation, int frames)
     return result;
 }
 
-/// Scenario `quick` with fewer iterations, so that it starts sooner.
-Scenario short_scenario()
+Scenario quick()
 {
-    Scenario scenario = shipped_scenario("quick");
-    scenario.pressure.max_iterations = 40;
-    return scenario;
+    return shipped_scenario("quick");
 }
 
 /// Its first state. A scenario with the same vessel, kernel and particles can go on from here.
 const SimulationState& settled()
 {
-    static const SimulationState state = reference::Simulation(short_scenario()).state();
+    static const SimulationState state = reference::Simulation(quick()).state();
     return state;
 }
 
@@ -70,7 +70,7 @@ bool is_sound(const Run& run)
 
 BOOST_AUTO_TEST_CASE(the_papers_equation_of_state_blows_up_and_leaves_the_last_good_frame)
 {
-    Scenario scenario = short_scenario();
+    Scenario scenario = quick();
     scenario.pressure.model = PressureModel::eos;
     scenario.pressure.stiffness_m2_s2 = 1;
     reference::Simulation simulation(scenario, settled());
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(the_papers_equation_of_state_blows_up_and_leaves_the_last_g
 
 BOOST_AUTO_TEST_CASE(a_stiff_equation_of_state_holds_the_blood)
 {
-    Scenario scenario = short_scenario();
+    Scenario scenario = quick();
     scenario.pressure.model = PressureModel::eos;
     scenario.pressure.stiffness_m2_s2 = 100.0 * 100; // the square of the speed of sound
     scenario.time.substeps = 4;
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_stiff_equation_of_state_holds_the_blood)
 
 BOOST_AUTO_TEST_CASE(wendland_kernel_runs_below_its_own_relaxation_limit)
 {
-    Scenario scenario = short_scenario();
+    Scenario scenario = quick();
     scenario.kernel.function = KernelName::wendland_c2;
     const double limit = reference::relaxation_limit(KernelName::wendland_c2, 1);
     BOOST_TEST_MESSAGE("relaxation limit " << limit);
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(wendland_kernel_runs_below_its_own_relaxation_limit)
 
 BOOST_AUTO_TEST_CASE(a_relaxation_at_its_limit_is_refused)
 {
-    Scenario scenario = short_scenario();
+    Scenario scenario = quick();
     const double limit = reference::relaxation_limit(KernelName::cubic_spline, 1);
     scenario.pressure.relaxation = limit;
     BOOST_TEST(contains(refusal(scenario), "pressure.relaxation"));
@@ -145,21 +145,78 @@ BOOST_AUTO_TEST_CASE(a_step_above_the_limit_is_refused_with_the_substeps_that_ar
         scenario.time.substeps = needed;
         BOOST_TEST(refusal(scenario).empty());
     };
-    Scenario fast = short_scenario();
+    Scenario fast = quick();
     fast.inlet.peak_velocity_m_s = 60;
     check(fast);
-    Scenario viscous = short_scenario();
+    Scenario viscous = quick();
     viscous.fluid.viscosity_pa_s = 1e4;
     check(viscous);
-    Scenario stiff = short_scenario();
+    Scenario stiff = quick();
     stiff.pressure.model = PressureModel::eos;
     stiff.pressure.stiffness_m2_s2 = 1e6;
     check(stiff);
 }
 
+BOOST_AUTO_TEST_CASE(a_checkpoint_holds_all_that_a_run_goes_on_from)
+{
+    const Scratch scratch;
+    const fs::path file = scratch.path / "checkpoint.h5";
+    reference::Simulation whole(quick(), settled());
+    for (int n = 0; n < 60; ++n) { // long enough for flow and exchange
+        whole.advance();
+    }
+    output::write_checkpoint(file, quick(), whole.state());
+    const auto state_after = [&file](auto change) {
+        SimulationState state = output::read_checkpoint(file).state;
+        change(state.particles);
+        reference::Simulation resumed(quick(), std::move(state));
+        resumed.advance();
+        resumed.advance();
+        return output::state_hash(resumed.state());
+    };
+    whole.advance();
+    whole.advance();
+    BOOST_TEST(state_after([](Particles&) {}) == output::state_hash(whole.state()));
+    const auto cleared = [&](auto field) {
+        return state_after([field](Particles& p) { std::ranges::fill(p.*field, 0.0); });
+    };
+    for (const auto field : {&Particles::pressure, &Particles::kappa, &Particles::drift}) {
+        BOOST_TEST(cleared(field) != output::state_hash(whole.state()));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(blood_comes_in_by_a_parabola)
+{
+    Scenario scenario = quick();
+    scenario.inlet.profile = InletProfile::parabolic;
+    scenario.inlet.peak_velocity_m_s = 5;
+    const Run parabolic = run(scenario, {scenario, settled()}, 150);
+    BOOST_TEST(is_sound(parabolic));
+    BOOST_TEST(parabolic.frames.back().ledger.inlet_in > 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_never_corrects_the_density_starts_on_the_jittered_lattice)
+{
+    const auto starts_there = [](const Scenario& scenario) {
+        const reference::Simulation simulation(scenario);
+        const Lattice lattice =
+            sample_lattice(simulation.vessel(), initial_radius(scenario), simulation.state().spacing);
+        const Particles sampled =
+            initial_state(scenario, lattice, simulation.state().particles.mass).particles;
+        return simulation.state().particles.position == sampled.position;
+    };
+    Scenario scenario = quick();
+    BOOST_TEST(!starts_there(scenario));
+    scenario.pressure.density_correction = 0;
+    BOOST_TEST(starts_there(scenario));
+    scenario = quick();
+    scenario.pressure.model = PressureModel::eos;
+    BOOST_TEST(starts_there(scenario));
+}
+
 BOOST_AUTO_TEST_CASE(books_are_kept_through_both_halves_of_the_cycle)
 {
-    Scenario scenario = short_scenario();
+    Scenario scenario = quick();
     scenario.rupture.yield_limit_pa = 1e6; // never ruptures
     SimulationState late = settled();
     late.frame = 320; // the inlet turns at 400
@@ -188,13 +245,13 @@ BOOST_AUTO_TEST_CASE(books_are_kept_through_both_halves_of_the_cycle)
 BOOST_AUTO_TEST_CASE(all_shapes_and_angles_start_and_run)
 {
     for (const SacWidths& sac : sacs) {
-        const Scenario scenario = with_sac(short_scenario(), sac);
+        const Scenario scenario = with_sac(quick(), sac);
         const Run started = run(scenario, reference::Simulation(scenario), 3);
         BOOST_TEST(is_sound(started));
         BOOST_TEST((started.frames.back().critical_pressure > 0) == (sac.shape != SacShape::none));
     }
     for (const double angle : {30.0, 60.0, 75.0}) {
-        Scenario scenario = short_scenario();
+        Scenario scenario = quick();
         scenario.vessel.angle_deg = angle;
         scenario.particles.count = 1999;
         BOOST_TEST(is_sound(run(scenario, reference::Simulation(scenario), 3)));
@@ -203,7 +260,7 @@ BOOST_AUTO_TEST_CASE(all_shapes_and_angles_start_and_run)
 
 BOOST_AUTO_TEST_CASE(the_soundness_that_is_asked_for_above_can_fail)
 {
-    Run broken{short_scenario(), {FrameRecord{}}, settled()};
+    Run broken{quick(), {FrameRecord{}}, settled()};
     broken.frames[0].total = broken.scenario.particles.count;
     BOOST_TEST(is_sound(broken));
     broken.frames[0].outside = 1;

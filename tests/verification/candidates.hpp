@@ -35,6 +35,7 @@ struct Frame {
     FrameRecord record;
     std::vector<double> density;
     std::vector<double> solved_pressure;
+    std::vector<double> solved_kappa;
 };
 
 /// Faults to plant: in the state that a frame is computed from, and in the frame that is shown.
@@ -68,8 +69,10 @@ public:
         frame_.state = rounds() ? to_float(simulation_.state()) : simulation_.state();
         frame_.density = simulation_.density();
         frame_.solved_pressure = simulation_.solved_pressure();
+        frame_.solved_kappa = simulation_.solved_kappa();
         if (rounds()) {
-            for (std::vector<double>* field : {&frame_.density, &frame_.solved_pressure}) {
+            for (std::vector<double>* field :
+                 {&frame_.density, &frame_.solved_pressure, &frame_.solved_kappa}) {
                 for (double& x : *field) {
                     x = static_cast<double>(static_cast<float>(x));
                 }
@@ -83,6 +86,7 @@ public:
     const SimulationState& state() const override { return frame_.state; }
     const std::vector<double>& density() const override { return frame_.density; }
     const std::vector<double>& solved_pressure() const override { return frame_.solved_pressure; }
+    const std::vector<double>& solved_kappa() const override { return frame_.solved_kappa; }
 
 private:
     bool rounds() const { return precision_ == Precision::float_; }

@@ -9,6 +9,7 @@
 #include "verification/reproduction/wall_history.hpp"
 
 #include <cmath>
+#include <filesystem>
 
 using namespace aneurysm;
 using namespace aneurysm::test;
@@ -175,7 +176,13 @@ BOOST_AUTO_TEST_CASE(an_ensemble_whose_reserve_ran_dry_is_refused)
     Scenario scenario = quick();
     scenario.time.frames = 60;
     BOOST_TEST(reproduction::ensemble(runs, scenario, 1, 1).size() == 1U);
-    scenario.particles.reserve_fraction = 0;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(scratch.path)) {
+        if (file.path().filename() == "frames.csv") {
+            std::string rows = read_text(file.path()); // its last number counts what the reserve lacked
+            rows.replace(rows.size() - 2, 1, "1");
+            write_text(file.path(), rows);
+        }
+    }
     BOOST_CHECK_THROW(reproduction::ensemble(runs, scenario, 1, 1), Error);
 }
 
@@ -186,7 +193,7 @@ BOOST_AUTO_TEST_CASE(a_calibration_finds_the_values_that_made_its_rows)
     Scenario scenario = shipped_scenario("quick");
     scenario.name += "_as_it_is";
     const std::vector<reproduction::Member> members = reproduction::ensemble(runs, scenario, 5, 2);
-    constexpr double yield_limit = 330;
+    constexpr double yield_limit = 150;
     nlohmann::json paper{{"table4", nlohmann::json::array()}};
     nlohmann::json plan{{"scenario", "quick"},
                         {"first_seed", 5},
@@ -195,7 +202,7 @@ BOOST_AUTO_TEST_CASE(a_calibration_finds_the_values_that_made_its_rows)
                         {"candidates",
                          {{"thick", {{"aneurysm", {{"initial_radius_radii", 0.6}}}}},
                           {"as_it_is", nlohmann::json::object()}}},
-                        {"yield_limit_pa", {{"from", 100}, {"to", 900}}}};
+                        {"yield_limit_pa", {{"from", 50}, {"to", 500}}}};
     for (const reproduction::RuptureRow& row :
          {reproduction::RuptureRow{0.4, 0.006, 0}, {0.6, 0.006, 0}, {0.4, 0.005, 0}}) {
         const double frame = reproduction::mean(members, [&](const reproduction::Member& member) {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 using namespace aneurysm;
@@ -172,6 +173,41 @@ BOOST_AUTO_TEST_CASE(verdicts)
         BOOST_TEST(result.message == message);
     }
     BOOST_TEST(outcome(throwing).quantities.size() == 1); // what there was stays
+}
+
+BOOST_AUTO_TEST_CASE(a_known_limit_is_no_failure_until_it_gets_worse)
+{
+    using suite::Verdict;
+    const auto finds = [](double value, std::optional<suite::KnownLimit> known) {
+        return outcome([value, known](suite::Probe& probe) {
+            probe.accuracy({"error", value, 0.05, known});
+        });
+    };
+    const suite::KnownLimit known{0.1, "a test"};
+    BOOST_TEST((finds(0.05, {}).verdict == Verdict::holds));
+    BOOST_TEST((finds(0.06, {}).verdict == Verdict::fails));
+    BOOST_TEST((finds(0.05, known).verdict == Verdict::holds));
+    const suite::CheckResult limit = finds(0.1, known);
+    BOOST_TEST((limit.verdict == Verdict::limit));
+    BOOST_TEST(limit.message == "not met yet: error");
+    BOOST_TEST(limit.quantities.front().derivation().ends_with("not to exceed what it was: a test"));
+    BOOST_TEST((finds(0.11, known).verdict == Verdict::fails));
+    BOOST_TEST((finds(std::nan(""), known).verdict == Verdict::fails));
+    BOOST_TEST((finds(0.06, suite::KnownLimit{0.01, "met since"}).verdict == Verdict::fails));
+}
+
+BOOST_AUTO_TEST_CASE(the_model_is_measured_once_in_single_precision)
+{
+    const std::vector<suite::Check> checks{check_of("model", compares(1), suite::Scope::model)};
+    const suite::SuiteResult both =
+        suite_of(checks, suite::make_subjects({Backend::reference, Backend::cpu}));
+    BOOST_REQUIRE(both.results.size() == 1U);
+    BOOST_TEST(both.results[0].subject == "cpu float");
+    BOOST_TEST((both.results[0].verdict == suite::Verdict::holds));
+    const suite::SuiteResult none = suite_of(checks, suite::make_subjects({Backend::reference}));
+    BOOST_REQUIRE(none.results.size() == 1U);
+    BOOST_TEST((none.results[0].verdict == suite::Verdict::not_run));
+    BOOST_TEST(none.results[0].message == "the model is measured in single precision only");
 }
 
 BOOST_AUTO_TEST_CASE(the_first_failure_ends_a_check_where_that_is_asked_for)

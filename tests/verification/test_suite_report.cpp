@@ -78,7 +78,12 @@ const std::vector<suite::Check>& checks()
                   compares_loosely),
             check("eq28_slow", suite::Level::continuous, {"28"}, suite::Scope::flows, compares(1)),
             check("eq02_units", suite::Level::metamorphic, {"2", "8"}, suite::Scope::flows, compares(1)),
-            check("eq03_once", suite::Level::executors, {"3", "8"}, suite::Scope::once, compares(1))};
+            check("eq03_once", suite::Level::executors, {"3", "8"}, suite::Scope::once, compares(1)),
+            check("rest", suite::Level::nature, {}, suite::Scope::model, [](suite::Probe& probe) {
+                probe.accuracy(
+                    {"speed of <rest> [m/s]", 0.5, 0.1, suite::KnownLimit{0.5, "a test & no more"}});
+                probe.accuracy({"force at rest [N]", 0.5, 1});
+            })};
         std::ranges::find(list, "eq28_slow", &suite::Check::id)->quick = false;
         return list;
     }();
@@ -205,7 +210,7 @@ BOOST_AUTO_TEST_CASE(a_suite_passes_when_something_holds_and_nothing_fails)
     BOOST_TEST(!passed(suite));
     suite.complete = true;
     std::erase_if(suite.results,
-                  [](const suite::CheckResult& r) { return r.verdict == suite::Verdict::holds; });
+                  [](const suite::CheckResult& r) { return r.verdict != suite::Verdict::not_run; });
     BOOST_TEST(!passed(suite)); // nothing was compared
 }
 
@@ -216,6 +221,20 @@ BOOST_AUTO_TEST_CASE(what_was_not_run_is_said_once_with_its_reason)
     BOOST_TEST(reasons[0].who == "cuda float");
     BOOST_TEST(reasons[0].why == "no GPU: <none>");
     BOOST_TEST(reasons[1].who == "eq07_here_not (reference, cpu double, cpu float)");
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_of_the_model_is_said_and_no_failure)
+{
+    suite::SuiteResult suite = sample().suite;
+    std::erase_if(suite.results,
+                  [](const suite::CheckResult& r) { return r.verdict != suite::Verdict::limit; });
+    BOOST_REQUIRE(suite.results.size() == 1U);
+    BOOST_TEST(passed(suite));
+    BOOST_TEST(count(suite::suite_text(sample()), "not met    rest: not met yet: speed of <rest> [m/s]\n") ==
+               1);
+    const std::string page = report::markdown(suite::suite_document(sample()));
+    BOOST_TEST(count(page, "How accurate is the model itself") == 1);
+    BOOST_TEST(page.find("How accurate is the model itself") < page.find("Which versions of the program"));
 }
 
 BOOST_AUTO_TEST_CASE(reports_of_all_that_can_happen)
