@@ -23,13 +23,13 @@ struct Wall {
 struct FlowStep {
     Bodies bodies; ///< velocity: before the blood's own pressure acts
     Neighbors neighbors;
-    std::vector<double> rho;       ///< by body, (5) [kg/m^3]
-    std::vector<Vec3> F_viscosity; ///< by particle, (7) [N/m^3]
-    std::vector<Vec3> F_outlet;    ///< by particle, (26) [N/m^3]
-    std::vector<double> pressure;  ///< by body, as the solve left it [Pa]
-    std::vector<Vec3> F_pressure;  ///< by particle [N/m^3]
-    std::vector<Vec3> velocity;    ///< by particle, at the end of the step [m/s]
-    std::vector<Vec3> correction;  ///< by particle, what the density moves it by beyond that [m]
+    std::vector<double> rho;        ///< by body, (5) [kg/m^3]
+    std::vector<Vec3> F_viscosity;  ///< by particle, (7) [N/m^3]
+    std::vector<Vec3> F_outlet;     ///< by particle, (26) [N/m^3]
+    std::vector<double> pressure;   ///< by body, as the solve left it [Pa]
+    std::vector<Vec3> F_pressure;   ///< by particle [N/m^3]
+    std::vector<Vec3> velocity;     ///< by particle, at the end of the step [m/s]
+    std::vector<Vec3> correction;   ///< by particle, what the density moves it by beyond that [m]
     IncompressibleReport corrected; ///< how the solve for it ended
 };
 
