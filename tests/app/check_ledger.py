@@ -15,7 +15,7 @@ SHORTEST = 20  # characters of a derivation
 EXCUSES = re.compile(r"\b(tbd|todo|fixme|xxx|placeholder|guess\w*|picked|empirical\w*|by experience|seems|safety factor|"
                      r"just works|large enough|generous\w*)\b", re.IGNORECASE)
 EVIDENCE = ("L0", "L1", "L2", "L3")
-SOURCES = ("exact", "rounding", "truncation", "quadrature", "solver", "statistics")
+SOURCES = ("exact", "rounding", "truncation", "quadrature", "solver", "statistics", "nature")
 
 
 def check_quantity(q, where):

@@ -96,7 +96,7 @@ void eq26_force(Probe& probe)
 void eq26_pressure(Probe& probe)
 {
     Quantity& outflow = probe.quantity("force on a buffer that moves outwards or rests [N/m^3]",
-                                       Source::exact, "0: nothing acts");
+                                       Source::exact, "0: only blood that comes back is slowed down");
     Quantity& relation = probe.quantity("F D = rho_0 v^2/2 of inflow, 50 digits [1]", Source::rounding,
                                         "gamma_5: three products and a quotient, a product along the normal");
     Quantity& streamline =

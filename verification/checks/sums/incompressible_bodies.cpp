@@ -148,7 +148,8 @@ void corrects_a_cloud(Probe& probe)
                        "pairs, and gamma_8 of rho_0 beta/dt");
     Quantity& sign =
         probe.quantity("kappa below 0 beside a void", Source::exact, "none: nothing pulls there");
-    Quantity& pulls = probe.quantity("kappa below 0 elsewhere", Source::exact, "a claim: some");
+    Quantity& pulls = probe.quantity("kappa below 0 elsewhere", Source::exact,
+                                     "a claim: some is, else the pull would not be seen");
     Quantity& velocity = probe.quantity("velocity after the correction [m/s]", Source::exact,
                                         "bits: as it was, since nothing else acts");
     Quantity& position =
