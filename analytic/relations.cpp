@@ -58,6 +58,11 @@ double excess(double F_b, double area, double P_c)
     return static_cast<double>((F_b - force) / force);
 }
 
+double load_imbalance(double F_b, double M, double m, double F)
+{
+    return imbalance({Precise(F) * m, -Precise(F_b) * M});
+}
+
 double impulse_imbalance(double m, double v, double dt, double F)
 {
     return imbalance({Precise(F) * dt, -Precise(m) * v});

@@ -44,6 +44,9 @@ double wall_law_imbalance(const WallState& wall, double dR, double dP);
 /// Section 3.2's criterion: (F_b - P_c area)/(P_c area), exactly.
 double excess(double F_b, double area, double P_c);
 
+/// The wall's load F of (16): F m = F_b M.
+double load_imbalance(double F_b, double M, double m, double F);
+
 /// Eq. (14)  F dt = m v, of one component.
 double impulse_imbalance(double m, double v, double dt, double F);
 

@@ -42,6 +42,7 @@ struct FrameRecord {
     double outlet_velocity = 0;        ///< mean of both zones, outward [m/s]
     double impact_force = 0;           ///< F_b, (16) [N]
     double impact_force_eos = 0;       ///< (16) by (6) and the equation of state, a diagnostic [N]
+    double wall_load = 0;              ///< F_b for the mass that strikes the wall; moves and breaks it [N]
     std::int64_t impact_count = 0;     ///< particles in S
     std::int64_t impact_particle = -1; ///< which one attains the maximum; -1: S is empty
     double radius = 0;                 ///< R [m]

@@ -126,7 +126,7 @@ private:
         }
         const KindCounts* kinds = passes_.recycle_and_count(fields(0));
         executor_.once(Deform(scenario_, arrays_.scene(), kinds, setup_.vessel.largest_radius(),
-                              setup_.lattice.spacing));
+                              setup_.lattice.spacing, setup_.particle_mass));
         executor_.mark("deform");
     }
 

@@ -99,10 +99,19 @@ ANEURYSM_HD Real impact_force(Real m, Real rho, const Vec3T<Real>& force)
     return length(m / rho * force);
 }
 
-/// The criterion of section 3.2: the wall ruptures when F_b, taken as a pressure on `area`, exceeds P_c.
-ANEURYSM_HD inline bool ruptures(double F_b, double area, double P_c)
+/// The force of the mass M that strikes the wall as the particle of F_b does, whose mass is m: F_b in (21), (28) and the
+/// criterion.
+///
+///     F = F_b M / m                                                                           [N]
+ANEURYSM_HD inline double wall_load(double F_b, double M, double m)
 {
-    return F_b / area > P_c;
+    return F_b * (M / m);
+}
+
+/// The criterion of section 3.2: the wall ruptures when its load F, taken as a pressure on `area`, exceeds P_c.
+ANEURYSM_HD inline bool ruptures(double F, double area, double P_c)
+{
+    return F / area > P_c;
 }
 
 } // namespace aneurysm::device

@@ -44,7 +44,7 @@ void visit_aneurysm(A& aneurysm, Visitor&& v)
     v("rupture_frame", aneurysm.rupture_frame);
 }
 
-static_assert(sizeof(FrameRecord) == 30 * sizeof(double) + sizeof(Ledger));
+static_assert(sizeof(FrameRecord) == 31 * sizeof(double) + sizeof(Ledger));
 template <class Record, class Visitor>
 void visit_record(Record& r, Visitor&& v)
 {
@@ -55,6 +55,7 @@ void visit_record(Record& r, Visitor&& v)
     v("outlet_velocity_m_s", r.outlet_velocity);
     v("impact_force_n", r.impact_force);
     v("impact_force_eos_n", r.impact_force_eos);
+    v("wall_load_n", r.wall_load);
     v("impact_count", r.impact_count);
     v("impact_particle", r.impact_particle);
     v("radius_m", r.radius);

@@ -53,7 +53,7 @@ Totals totals_of(const Scenario& scenario, const std::vector<FrameRecord>& recor
         t.residual_max = std::max(t.residual_max, r.residual_max);
         t.iterations += static_cast<double>(r.iterations);
         t.corrections += static_cast<double>(r.corrections);
-        const double pressure = r.impact_force / scenario.rupture.conversion_area_m2;
+        const double pressure = r.wall_load / scenario.rupture.conversion_area_m2;
         const bool whole = t.rupture_frame < 0 || t.rupture_frame == r.frame;
         if (whole && r.critical_pressure > 0 && pressure / r.critical_pressure > t.largest_ratio) {
             t.largest_ratio = pressure / r.critical_pressure;
@@ -84,8 +84,9 @@ std::string wall_lines(const Scenario& scenario, const FrameRecord& last, const 
     }
     text << "; at the end R " << last.radius << " m, h " << last.thickness << " m\n";
     if (t.settled_frames > 0) {
-        text << "  impact         hardest in frame " << t.ratio_frame << ": F_b over the conversion area was "
-             << t.largest_ratio << " P_c; at the end F_b " << last.impact_force << " N, P_c "
+        text << "  impact         hardest in frame " << t.ratio_frame << ": the wall's load over the conversion area was "
+             << t.largest_ratio << " P_c; at the end F_b " << last.impact_force << " N, the load "
+             << last.wall_load << " N, P_c "
              << last.critical_pressure << " Pa\n";
     }
     return text.str();

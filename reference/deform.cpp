@@ -17,10 +17,10 @@ Deform::Deform(const Scenario& scenario, double largest_radius, double spacing)
 }
 
 /// Growth and thinning of one frame: (21), then (22) or (23).
-void Deform::grow(AneurysmState& aneurysm, double F_b) const
+void Deform::grow(AneurysmState& aneurysm, double F) const
 {
     AneurysmState& s = aneurysm;
-    const double dR = radius_increment(tissue_, F_b, s.radius, scenario_.time.frame_s);
+    const double dR = radius_increment(tissue_, F, s.radius, scenario_.time.frame_s);
     if (s.radius < largest_radius_) {
         s.phase = Phase::growing;
         const double taken = std::min(dR, largest_radius_ - s.radius);
@@ -33,9 +33,9 @@ void Deform::grow(AneurysmState& aneurysm, double F_b) const
     }
 }
 
-void Deform::move_wall(AneurysmState& aneurysm, std::int64_t frame, double F_b) const
+void Deform::move_wall(AneurysmState& aneurysm, std::int64_t frame, double F) const
 {
-    const ElasticWall w = advance_elastic_wall({aneurysm.displacement, aneurysm.wall_velocity}, F_b,
+    const ElasticWall w = advance_elastic_wall({aneurysm.displacement, aneurysm.wall_velocity}, F,
                                                scenario_.elastic_wall.stiffness_n_m,
                                                scenario_.elastic_wall.mass_kg, scenario_.time.frame_s);
     aneurysm.displacement = w.u;
@@ -48,17 +48,17 @@ void Deform::move_wall(AneurysmState& aneurysm, std::int64_t frame, double F_b) 
     }
 }
 
-double Deform::operator()(AneurysmState& aneurysm, std::int64_t frame, double F_b) const
+double Deform::operator()(AneurysmState& aneurysm, std::int64_t frame, double F) const
 {
     const auto& material = scenario_.rupture;
     const bool alive = aneurysm.phase != Phase::ruptured && frame > scenario_.growth.warm_up_frames;
     if (alive) {
-        grow(aneurysm, F_b);
-        move_wall(aneurysm, frame, F_b);
+        grow(aneurysm, F);
+        move_wall(aneurysm, frame, F);
     }
     const double P_c = critical_pressure(aneurysm.thickness, aneurysm.radius, material.yield_limit_pa,
                                          material.poisson_ratio, material.porosity);
-    if (alive && ruptures(F_b, material.conversion_area_m2, P_c)) {
+    if (alive && ruptures(F, material.conversion_area_m2, P_c)) {
         aneurysm.phase = Phase::ruptured;
         aneurysm.rupture_frame = frame;
     }

@@ -5,6 +5,7 @@
 #include "common/vessel/initial_state.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/deform.hpp"
+#include "reference/rupture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -138,7 +139,9 @@ void Simulation::deform(SimulationState& state, FrameRecord& record) const
 {
     if (vessel_.has_sac()) {
         const Deform deform_sac(scenario_, vessel_.largest_radius(), state.spacing);
-        record.critical_pressure = deform_sac(state.aneurysm, record.frame, record.impact_force);
+        record.wall_load =
+            wall_load(record.impact_force, scenario_.rupture.impact_mass_kg, state.particles.mass);
+        record.critical_pressure = deform_sac(state.aneurysm, record.frame, record.wall_load);
     }
     record.phase = state.aneurysm.phase;
     record.radius = state.aneurysm.radius;

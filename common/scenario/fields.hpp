@@ -246,8 +246,11 @@ void visit_rupture(S& s, const Row& v)
     v(r.yield_limit_pa, "rupture.yield_limit_pa", above(0), assumed(), "yield limit of the wall, Y [Pa]");
     v(r.thickness_ratio, "rupture.thickness_ratio", above(0).to(1), paper("Table 1", {0.025}),
       "initial thickness of the wall h_0 / r_0, zeta");
+    v(r.impact_mass_kg, "rupture.impact_mass_kg", above(0), assumed(),
+      "blood that strikes the wall with the acceleration of the particle of F_b, (16): its force moves and breaks the "
+      "wall [kg]");
     v(r.conversion_area_m2, "rupture.conversion_area_m2", above(0), assumed(),
-      "area that turns the force F_b into the pressure that P_c is compared with [m^2]");
+      "area that turns that force into the pressure that P_c is compared with [m^2]");
     v(r.impact_band_spacings, "rupture.impact_band_spacings", from(0).to(10), assumed(),
       "S of (16): particles nearer to the aneurysm's wall than this, in spacings, or beyond it");
     v(r.breach_radius_radii, "rupture.breach_radius_radii", above(0).to(100), assumed(),

@@ -122,7 +122,8 @@ struct Scenario {
         double porosity = 0;             ///< phi
         double yield_limit_pa = 0;       ///< Y
         double thickness_ratio = 0;      ///< zeta: h_0 / r_0
-        double conversion_area_m2 = 0;   ///< turns the force F_b into the pressure that P_c is compared with
+        double impact_mass_kg = 0;       ///< blood that strikes the wall with the acceleration of F_b's particle
+        double conversion_area_m2 = 0;   ///< turns that force into the pressure that P_c is compared with
         double impact_band_spacings = 0; ///< S of (16): blood nearer to the sac's wall, or beyond it
         double breach_radius_radii = 0;
         double recycle_distance_radii = 0; ///< blood this far from the breach goes back to the reserve

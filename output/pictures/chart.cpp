@@ -29,14 +29,14 @@ struct Line {
 std::array<Line, 2> lines_of(FrameChart::Content content)
 {
     if (content == FrameChart::Content::impact) {
-        return {Line{"F_b [N]", {31, 90, 160}}, Line{"P_c [Pa]", {214, 92, 20}}};
+        return {Line{"load [N]", {31, 90, 160}}, Line{"P_c [Pa]", {214, 92, 20}}};
     }
     return {Line{"R [m]", {20, 130, 60}}, Line{"h [mm]", {130, 60, 150}}};
 }
 
 std::array<double, 2> values_of(FrameChart::Content content, const FrameRecord& r)
 {
-    return content == FrameChart::Content::impact ? std::array{r.impact_force, r.critical_pressure}
+    return content == FrameChart::Content::impact ? std::array{r.wall_load, r.critical_pressure}
                                                   : std::array{r.radius, 1000 * r.thickness};
 }
 

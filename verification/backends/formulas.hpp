@@ -45,7 +45,8 @@ struct Equations {
     Vec3 (*impulse_force)(double m, const Vec3& v, double dt);
     Impact (*impact_force)(std::span<const std::int64_t> S, double m, std::span<const double> density,
                            std::span<const Vec3> force);
-    bool (*ruptures)(double F_b, double area, double P_c);
+    double (*wall_load)(double F_b, double M, double m);
+    bool (*ruptures)(double F, double area, double P_c);
 
     // Section 3.3: (17)-(23)
     double (*net_wall_force)(double F_B, double F_F, double F_P);

@@ -111,6 +111,7 @@ const Equations& device_equations()
         .critical_pressure = device::critical_pressure,
         .impulse_force = device::impulse_force<double>,
         .impact_force = impact_force,
+        .wall_load = device::wall_load,
         .ruptures = device::ruptures,
         .net_wall_force = device::net_wall_force,
         .tissue_force = device::tissue_force,

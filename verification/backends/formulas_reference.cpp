@@ -67,6 +67,7 @@ const Equations& reference_equations()
         .critical_pressure = reference::critical_pressure,
         .impulse_force = reference::impulse_force,
         .impact_force = reference::impact_force,
+        .wall_load = reference::wall_load,
         .ruptures = reference::ruptures,
         .net_wall_force = reference::net_wall_force,
         .tissue_force = reference::tissue_force,

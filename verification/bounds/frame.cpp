@@ -3,6 +3,7 @@
 
 #include "common/vessel/body_force.hpp"
 #include "reference/incompressible.hpp"
+#include "reference/rupture.hpp"
 #include "verification/bounds/seam.hpp"
 
 #include <algorithm>
@@ -217,8 +218,13 @@ void FrameBounds::bound_wall(const SimulationState& start, const SimulationState
     const auto absolute = [&](double units) { return rounding_.absolute(units); };
     AneurysmState soft = before;
     AneurysmState hard = before;
-    const double P_soft = deform_(soft, end.frame, range.low.impact_force);
-    const double P_hard = deform_(hard, end.frame, range.high.impact_force);
+    const auto load = [&](double F_b) {
+        return reference::wall_load(F_b, scenario_->rupture.impact_mass_kg, start.particles.mass);
+    };
+    range.low.wall_load = load(range.low.impact_force) - absolute(2 * load(range.low.impact_force));
+    range.high.wall_load = load(range.high.impact_force) + absolute(2 * load(range.high.impact_force));
+    const double P_soft = deform_(soft, end.frame, range.low.wall_load);
+    const double P_hard = deform_(hard, end.frame, range.high.wall_load);
     const auto spread = [](double a, double value, double b) {
         return std::max(std::abs(a - value), std::abs(b - value));
     };
@@ -244,8 +250,8 @@ void FrameBounds::bound_wall(const SimulationState& start, const SimulationState
                            P * (h_rounding / after.thickness + R_rounding / after.radius) + absolute(16 * P);
     const double area = scenario_->rupture.conversion_area_m2;
     const double P_margin = P_error + absolute(2 * P);
-    range.rupture_open = alive && range.low.impact_force / area <= P + P_margin &&
-                         range.high.impact_force / area >= P - P_margin;
+    range.rupture_open =
+        alive && range.low.wall_load / area <= P + P_margin && range.high.wall_load / area >= P - P_margin;
     const auto widen = [&range](double FrameRecord::*member, double by) {
         range.low.*member -= by;
         range.high.*member += by;

@@ -72,7 +72,7 @@ RuptureTimes::RuptureTimes(const Scenario& wall, const Member& member)
     double strongest = 0;
     for (std::size_t k = 0; k < frames.size(); ++k) {
         if (frames[k].phase != Phase::warm_up) {
-            const double pressure = member.records[k].impact_force / wall.rupture.conversion_area_m2;
+            const double pressure = member.records[k].wall_load / wall.rupture.conversion_area_m2;
             strongest =
                 std::max(strongest, pressure / frames[k].critical_pressure * wall.rupture.yield_limit_pa);
         }

@@ -55,7 +55,7 @@ void look_at_paper_frame(RowResult& result, const Scenario& wall, const Member& 
     const std::size_t frame = std::min(static_cast<std::size_t>(result.row.paper), whole.size());
     double blow = 0;
     for (std::size_t k = 0; k < frame; ++k) {
-        blow = whole[k].phase == Phase::warm_up ? 0 : std::max(blow, member.records[k].impact_force);
+        blow = whole[k].phase == Phase::warm_up ? 0 : std::max(blow, member.records[k].wall_load);
     }
     result.wall += share * whole[frame - 1].critical_pressure;
     result.blow += share * blow / wall.rupture.conversion_area_m2;

@@ -38,7 +38,7 @@ WallHistory wall_along(const Scenario& scenario, std::span<const FrameRecord> re
     WallHistory history;
     AneurysmState wall = first_wall(scenario);
     for (const FrameRecord& record : records) {
-        const double P_c = deform(wall, record.frame, record.impact_force);
+        const double P_c = deform(wall, record.frame, record.wall_load);
         if (wall.radius != record.radius) {
             throw Error("frame " + std::to_string(record.frame),
                         "R is " + std::to_string(wall.radius) + " m along the recorded impacts and " +

@@ -80,7 +80,7 @@ void check_phases(Probe& probe, const History& run)
             continue;
         }
         const bool developed = R >= run.largest_radius();
-        ruptured = ruptured || r.impact_force / run.scenario.rupture.conversion_area_m2 > r.critical_pressure;
+        ruptured = ruptured || r.wall_load / run.scenario.rupture.conversion_area_m2 > r.critical_pressure;
         const Phase expected = ruptured    ? Phase::ruptured
                                : developed ? Phase::fully_developed
                                            : Phase::growing;
@@ -106,7 +106,7 @@ void check_displacement(Probe& probe, const History& run)
         if (r.frame <= run.warm_up()) {
             continue;
         }
-        F.push_back(r.impact_force);
+        F.push_back(r.wall_load);
         const auto n = static_cast<double>(F.size());
         double u = 0;
         double terms = 0;
@@ -153,7 +153,7 @@ void check_wall(Probe& probe, const History& run)
         if (r.frame <= run.warm_up()) {
             continue;
         }
-        const auto step = analytic::backward_euler_from_rest(resistance(s), r.impact_force, R, dt);
+        const auto step = analytic::backward_euler_from_rest(resistance(s), r.wall_load, R, dt);
         const bool developed = R >= run.largest_radius();
         const double growth = developed ? 0 : std::min(step.dR.value, run.largest_radius() - R);
         radius.within(r.radius - R, growth, 2 * step.dR.error + 0x1p-52 * R, frame(r));
@@ -212,7 +212,7 @@ void developed_history(Probe& probe)
     for (const FrameRecord& r : history.frames) {
         growing += r.phase == Phase::growing ? 1 : 0;
         developed += r.phase == Phase::fully_developed ? 1 : 0;
-        const double dR = analytic::backward_euler_from_rest(resistance(scenario), r.impact_force, r.radius,
+        const double dR = analytic::backward_euler_from_rest(resistance(scenario), r.wall_load, r.radius,
                                                              scenario.time.frame_s)
                               .dR.value;
         capped += r.phase == Phase::fully_developed && dR > scenario.growth.largest_increment_m ? 1 : 0;

@@ -60,6 +60,21 @@ void eq13_criterion(Probe& probe)
     }
 }
 
+/// The load by which F_b moves and breaks the wall.
+void eq16_load(Probe& probe)
+{
+    Quantity& relation =
+        probe.quantity("F m = F_b M, 50 digits [1]", Source::rounding, "gamma_2: a quotient and a product");
+    Arguments a(16);
+    for (int n = 0; n < 200; ++n) {
+        const double F_b = a.between(0, 5000);
+        const double M = a.between(0.01, 3);
+        const double m = a.between(0.001, 2);
+        relation.within(analytic::load_imbalance(F_b, M, m, probe.equations().wall_load(F_b, M, m)), 0,
+                        rounding(2), at({{"F_b", F_b}, {"M", M}, {"m", m}}));
+    }
+}
+
 void eq14_impulse(Probe& probe)
 {
     Quantity& relation =
@@ -202,6 +217,8 @@ std::vector<Check> rupture_checks()
                       {"exact sign, 50 digits", "GSL search for the largest pressure"}, eq13_criterion),
         formula_check("eq14_impulse", {"14"}, "the force of an impact takes all momentum in the time given",
                       {"GSL quadrature of a pulse", "the relation, 50 digits"}, eq14_impulse),
+        formula_check("eq16_load", {"16"}, "the wall's load is F_b of the mass that strikes it",
+                      {"the relation, 50 digits"}, eq16_load),
         formula_check("eq16_hardest_hit", {"16"}, "the impact is the hardest hit in S, by the particle named",
                       {"Eigen's column norms", "squares, 50 digits"}, eq16_hardest_hit),
         formula_check(

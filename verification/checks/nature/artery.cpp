@@ -92,20 +92,29 @@ void gauge_shift(Probe& probe)
     probe.accuracy({name + "growth", change(other.growth, one.growth), 0.05});
 }
 
-/// F_b is the force on one particle; what it is of the blood's doesn't depend on the particle's size.
+/// F_b is the force on one particle; what it is of the blood's doesn't depend on the particle's size, and so growth doesn't.
 void impact_resolution(Probe& probe)
 {
     constexpr std::int64_t frames = 300;
-    const auto acceleration = [&](const std::string& name) {
-        Scenario s = unbreakable(name);
-        s.growth.warm_up_frames = frames;
+    const auto grown = [&](std::int64_t particles) {
+        Scenario s = unbreakable("paper_tc1");
+        s.particles.count = particles;
+        s.growth.warm_up_frames = 100;
         const Run r = run(probe, s, frames);
-        probe.note("F_b / m, " + name + " [m/s^2]", r.impact / r.mass);
-        return r.impact / r.mass;
+        const std::string where = std::to_string(particles) + " particles";
+        probe.note("F_b / m, " + where + " [m/s^2]", r.impact / r.mass);
+        probe.note("growth of R in 200 frames, " + where + " [m]", r.growth);
+        return r;
     };
-    const double coarse = acceleration("paper_tc1");
+    const Run coarse = grown(5520);
+    const Run fine = grown(15456);
+    const Run finest = grown(40296);
     probe.accuracy({"F_b / m at 15,456 against 5,520 particles: relative change",
-                    change(acceleration("paper_tc2"), coarse), 0.15});
+                    change(fine.impact / fine.mass, coarse.impact / coarse.mass), 0.15});
+    probe.accuracy({"growth of R at 15,456 against 5,520 particles: relative change",
+                    change(fine.growth, coarse.growth), 0.15});
+    probe.accuracy({"growth of R at 40,296 against 5,520 particles: relative change",
+                    change(finest.growth, coarse.growth), 0.15});
 }
 
 } // namespace
