@@ -33,6 +33,9 @@ public:
             write_due(record.frame);
             on_frame(record);
         }
+        if (frame() >= frames_ && !due(frame(), scenario_.output.particles_every_frames)) {
+            write_particles(frame()); // the last one, too
+        }
         save_state();
         return frame() >= frames_;
     }
@@ -64,13 +67,13 @@ private:
             saved_frame_ = frame();
         }
     }
+    static bool due(std::int64_t frame, std::int64_t every) { return every > 0 && frame % every == 0; }
     void write_due(std::int64_t frame)
     {
-        const auto due = [frame](std::int64_t every) { return every > 0 && frame % every == 0; };
-        if (due(scenario_.output.particles_every_frames)) {
+        if (due(frame, scenario_.output.particles_every_frames)) {
             write_particles(frame);
         }
-        if (due(scenario_.output.checkpoint_every_frames)) {
+        if (due(frame, scenario_.output.checkpoint_every_frames)) {
             save_state();
         }
     }
