@@ -11,7 +11,7 @@ import re
 import sys
 
 PAGES = ("README.md", "ARTIFACT.md", "CHANGELOG.md", "CODE_OF_CONDUCT.md", "CONTRIBUTING.md", "docs/*.md")
-LINK = re.compile(r"\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)")
+LINK = re.compile(r"(!?)\[([^\]]*)\]\((?!https?:)([^)#]*)(?:#([^)]*))?\)")
 HEADING = re.compile(r"^(#+) (.*)$", re.MULTILINE)
 FENCE = re.compile(r"(^```.*?^```$)", re.MULTILINE | re.DOTALL)
 EQUATION = re.compile(r"^  (\S+) +(\d\S*) +(.{15})(.{14})(.*?)  \[(.*)\]$")
@@ -26,8 +26,9 @@ def anchor_of(title):
     return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
 
 
-def with_identifiers(text, page):
-    """A page whose headings have identifiers, and whose links name them. Code in fences stays."""
+def with_identifiers(text, page, pages):
+    """A page whose headings have identifiers, and whose links name them; a link to what is no page of the site becomes its
+    text. Code in fences stays."""
     first = True
 
     def heading(match):
@@ -36,12 +37,10 @@ def with_identifiers(text, page):
         return f"{match[1]} {match[2]} {{#{identifier(page, anchor)}}}"
 
     def link(match):
-        target = match[1] or page
-        if target.endswith(".md"):
-            return f"](@ref {identifier(target, match[2] or '')})"
-        if target.endswith(".png"):
-            return f"]({pathlib.Path(target).name})"
-        raise SystemExit(f"{page}: a link to {target}; needed: a page, a picture or an address")
+        name = pathlib.Path(match[3] or page).name
+        if match[1]:
+            return f"![{match[2]}]({name})"
+        return f"[{match[2]}](@ref {identifier(name, match[4] or '')})" if name in pages else match[2]
 
     parts = FENCE.split(text)
     return "".join(p if FENCE.match(p) else LINK.sub(link, HEADING.sub(heading, p)) for p in parts)
@@ -104,9 +103,10 @@ def main():
         raise SystemExit(__doc__)
     sources, listing, out = map(pathlib.Path, sys.argv[1:])
     out.mkdir(parents=True, exist_ok=True)
-    for pattern in PAGES:
-        for file in sorted(sources.glob(pattern)):
-            (out / file.name).write_text(with_identifiers(file.read_text(encoding="utf-8"), file.name), encoding="utf-8")
+    files = sorted(file for pattern in PAGES for file in sources.glob(pattern))
+    for file in files:
+        text = with_identifiers(file.read_text(encoding="utf-8"), file.name, {f.name for f in files})
+        (out / file.name).write_text(text, encoding="utf-8")
     schema, base = (json.loads((sources / "data" / name).read_text()) for name in ("scenario.schema.json", "scenarios/base.json"))
     (out / "parameters.md").write_text(parameters(schema, base), encoding="utf-8")
     (out / "equations.md").write_text(equations(listing.read_text(encoding="utf-8").splitlines()), encoding="utf-8")
