@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/info.hpp"
 
+#include "app/cite.hpp"
 #include "app/exit_codes.hpp"
 #include "common/equations.hpp"
 #include "common/scenario/limits.hpp"
@@ -154,17 +155,26 @@ void add_info(CLI::App& app, std::optional<int>& code)
     struct InfoOptions {
         std::string scenario;
         bool schema = false;
+        bool cite = false;
     };
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* info =
         app.add_subcommand("info", "Show version and equations, or what follows from a scenario");
-    info->add_option("SCENARIO", options->scenario, "scenario file");
-    info->add_flag("--schema", options->schema, "print the JSON Schema of scenario files");
+    CLI::Option* scenario = info->add_option("SCENARIO", options->scenario, "scenario file");
+    CLI::Option* schema =
+        info->add_flag("--schema", options->schema, "print the JSON Schema of scenario files")
+            ->excludes(scenario);
+    info->add_flag("--cite", options->cite, "print what to cite, as text and BibTeX")
+        ->excludes(scenario)
+        ->excludes(schema);
     info->footer("Examples:\n"
                  "  aneurysm info\n"
-                 "  aneurysm info data/scenarios/paper_tc1.json");
+                 "  aneurysm info data/scenarios/paper_tc1.json\n"
+                 "  aneurysm info --cite");
     info->callback([options, &code] {
-        if (options->schema) {
+        if (options->cite) {
+            std::cout << citation();
+        } else if (options->schema) {
             std::cout << scenario_schema();
         } else if (options->scenario.empty()) {
             std::cout << program_info() << "Equations of the paper: number, section, status, in runs, title\n"

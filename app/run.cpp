@@ -10,6 +10,7 @@
 #include "output/run_directory.hpp"
 #include "output/run_frames.hpp"
 #include "output/summary.hpp"
+#include "reference/bifurcation.hpp"
 #include "verification/backends/make_simulation.hpp"
 
 #include <iomanip>
@@ -92,28 +93,6 @@ Start make_start(const RunOptions& options)
     return start;
 }
 
-void print_summary(const Start& start, double rate)
-{
-    std::cout << "Results in " << start.out.string() << "\n"
-              << output::summary(start.scenario, output::read_frames(RunDirectory::frames_file(start.out)))
-              << "  speed          " << std::setprecision(4) << rate
-              << " frames/s, without the settling at the start\n"
-              << "frames.csv has the numbers of every frame; ParaView opens particles.vtkhdf.series"
-              << std::endl;
-}
-
-/// Whose the run is, unless the command line says otherwise.
-backends::BackendChoice backend_of(const RunOptions& options)
-{
-    backends::BackendChoice choice = options.backend;
-    if (options.resume) {
-        const Engine engine = RunDirectory::engine(options.out);
-        choice.backend = options.has_backend ? choice.backend : engine.backend;
-        choice.precision = options.has_precision ? choice.precision : engine.precision;
-    }
-    return choice;
-}
-
 /// As a shell takes it for one word.
 std::string quoted(const std::string& word)
 {
@@ -128,6 +107,28 @@ std::string quoted(const std::string& word)
     return text + "'";
 }
 
+void print_summary(const Start& start, double rate)
+{
+    std::cout << "Results in " << start.out.string() << "\n"
+              << output::summary(start.scenario, output::read_frames(RunDirectory::frames_file(start.out)))
+              << "  speed          " << std::setprecision(4) << rate
+              << " frames/s, without the settling at the start\n"
+              << "frames.csv has the numbers of every frame; ParaView shows it all by: paraview --script="
+              << quoted((start.out / "show_in_paraview.py").string()) << std::endl;
+}
+
+/// Whose the run is, unless the command line says otherwise.
+backends::BackendChoice backend_of(const RunOptions& options)
+{
+    backends::BackendChoice choice = options.backend;
+    if (options.resume) {
+        const Engine engine = RunDirectory::engine(options.out);
+        choice.backend = options.has_backend ? choice.backend : engine.backend;
+        choice.precision = options.has_precision ? choice.precision : engine.precision;
+    }
+    return choice;
+}
+
 int run(const RunOptions& options)
 {
     const Start start = make_start(options);
@@ -138,12 +139,13 @@ int run(const RunOptions& options)
     RunDirectory directory = start.checkpoint
                                  ? RunDirectory::resume(start.out, *start.checkpoint, simulation->engine())
                                  : RunDirectory::create(start.out, start.scenario, simulation->engine());
+    const Vessel vessel(start.scenario, reference::daughter_radius(start.scenario.vessel.radius_m));
     bool complete = false;
     double rate = 0;
     {
         Progress progress("frame", simulation->state().frame, start.frames);
         complete = output::run_frames(
-            start.scenario, start.frames, *simulation, directory,
+            start.scenario, vessel, start.frames, *simulation, directory,
             [&](const FrameRecord& record) { progress.show(record.frame, output::name_of(record.phase)); });
         rate = progress.per_second(simulation->state().frame);
     }

@@ -280,7 +280,10 @@ int main(int argc, char** argv)
         const std::vector<Case> all = cases(data);
         register_all(all);
         Collector collector;
-        benchmark::RunSpecifiedBenchmarks(&collector);
+        if (benchmark::RunSpecifiedBenchmarks(&collector) == 0) {
+            throw InputError("--benchmark_filter", "matches no benchmark",
+                             "needed: an expression for names as --benchmark_list_tests prints them");
+        }
         const std::string text = table(collector.runs(), all);
         std::cout << "\n" << text;
         if (!table_file.empty() && !(std::ofstream(table_file) << text).flush()) {

@@ -24,6 +24,7 @@ public:
     Simulation& operator=(const Simulation&) = delete;
     Simulation& operator=(Simulation&&) = delete;
 
+    /// Who computes.
     virtual Engine engine() const = 0;
     /// One frame.
     /// \throws SimulationError that names frame and particle; state() is then still that of the last good

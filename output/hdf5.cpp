@@ -244,6 +244,20 @@ void Group::write_attribute(const std::string& name, const std::string& text) co
     });
 }
 
+void Group::describe(const std::string& array, const std::string& name, const std::string& text) const
+{
+    attempt(task_, array + ": " + name, [&] {
+        const H5::DataSet set = group_.openDataSet(array);
+        set.createAttribute(name, text_type(text), H5::DataSpace()).write(text_type(text), text);
+    });
+}
+
+std::string Group::description(const std::string& array, const std::string& name) const
+{
+    return attempt(task_, array + ": " + name,
+                   [&] { return fixed_text(group_.openDataSet(array).openAttribute(name), task_, name); });
+}
+
 void Group::read_attribute(const std::string& name, void* data, Type type) const
 {
     attempt(task_, name, [&] {

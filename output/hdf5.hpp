@@ -77,6 +77,8 @@ public:
         write_attribute(name, values.data(), n, type_of(Number{}));
     }
     void write_attribute(const std::string& name, const std::string& text) const;
+    /// An attribute of an array of the group.
+    void describe(const std::string& array, const std::string& name, const std::string& text) const;
     template <class Number>
     Number read_attribute(const std::string& name) const
     {
@@ -85,6 +87,8 @@ public:
         return value;
     }
     std::string read_text_attribute(const std::string& name) const;
+    /// What describe() wrote.
+    std::string description(const std::string& array, const std::string& name) const;
 
     const Task& task() const { return task_; }
 

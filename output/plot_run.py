@@ -54,7 +54,7 @@ def draw_wall(axes, data):
 
 
 def particle_file(run, frame):
-    series = json.loads((run / "particles.vtkhdf.series").read_text())["files"]
+    series = json.loads((run / "particles.hdf.series").read_text())["files"]
     if frame is None:
         return run / series[-1]["name"]
     names = [run / entry["name"] for entry in series if f"{frame:06d}" in entry["name"]]

@@ -4,9 +4,9 @@
 #include "common/error.hpp"
 #include "output/frames.hpp"
 #include "output/json.hpp"
+#include "output/paraview_script.hpp"
 #include "output/provenance.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace aneurysm::output
@@ -17,16 +17,9 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr const char* hashes_name = "hashes.csv";
-constexpr const char* series_name = "particles.vtkhdf.series";
+constexpr const char* particles = "particles";
 constexpr std::array status_names{"running", "finished", "interrupted", "failed"};
 constexpr const char* undamaged = "needed: an undamaged run directory";
-
-std::string particle_file(std::int64_t frame)
-{
-    constexpr std::size_t width = 6;
-    const std::string number = std::to_string(frame);
-    return "particles/frame_" + std::string(width - std::min(width, number.size()), '0') + number + ".vtkhdf";
-}
 
 /// Makes the directory and its parents; it must not exist.
 fs::path make_directory(const fs::path& directory)
@@ -90,27 +83,19 @@ fs::path RunDirectory::manifest_file(const fs::path& directory)
 }
 fs::path RunDirectory::particles_file(const fs::path& directory, std::int64_t frame)
 {
-    return directory / particle_file(frame);
+    return FrameFiles::file(directory, particles, frame);
 }
 
 std::vector<std::int64_t> RunDirectory::particle_frames(const fs::path& directory)
 {
-    std::vector<std::int64_t> frames;
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(directory / "particles", error)) {
-        const std::string stem = entry.path().stem().string();
-        const std::int64_t frame = stem.starts_with("frame_") ? std::atoll(stem.c_str() + 6) : -1;
-        if (frame >= 0 && entry.path().filename() == particles_file(directory, frame).filename()) {
-            frames.push_back(frame);
-        }
-    }
-    std::sort(frames.begin(), frames.end());
-    return frames;
+    return FrameFiles::frames(directory, particles);
 }
 
 RunDirectory::RunDirectory(fs::path directory, Scenario scenario, Engine engine, LineFile::Mode mode)
     : directory_(std::move(directory)), scenario_(std::move(scenario)), engine_(std::move(engine)),
-      frames_(frames_file(directory_), mode), hashes_(directory_ / hashes_name, mode), started_(now_utc())
+      frames_(frames_file(directory_), mode), hashes_(directory_ / hashes_name, mode),
+      particles_(directory_, particles, scenario_.time.frame_s),
+      walls_(directory_, "wall", scenario_.time.frame_s), started_(now_utc())
 {
 }
 
@@ -121,6 +106,7 @@ RunDirectory RunDirectory::create(const fs::path& directory, const Scenario& sce
         RunDirectory run(made, scenario, engine, LineFile::Mode::create);
         run.frames_.append(frames_header());
         run.hashes_.append(hashes_header());
+        write_atomically(made / "show_in_paraview.py", paraview_script());
         run.write_manifest(RunStatus::running, "");
         return run;
     } catch (const Error&) {
@@ -140,7 +126,8 @@ RunDirectory RunDirectory::resume(const fs::path& directory, const Checkpoint& c
     const auto rows = static_cast<std::size_t>(checkpoint.state.frame);
     run.frames_.keep(1 + rows);
     run.hashes_.keep(1 + rows);
-    run.read_series(checkpoint.state.frame);
+    run.particles_.go_back(checkpoint.state.frame);
+    run.walls_.go_back(checkpoint.state.frame);
     run.started_ = manifest.value("started", run.started_);
     run.resumed_at_ = manifest.value("resumed_at_frames", run.resumed_at_);
     run.resumed_at_.push_back(checkpoint.state.frame);
@@ -159,14 +146,14 @@ void RunDirectory::append(const FrameRecord& record, const SimulationState& stat
 
 void RunDirectory::write_particles(std::int64_t frame, const ParticleFields& fields)
 {
-    const fs::path file = directory_ / particle_file(frame);
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    write_vtk(file, fields);
-    if (std::find(particle_frames_.begin(), particle_frames_.end(), frame) == particle_frames_.end()) {
-        particle_frames_.push_back(frame);
-    }
-    write_series();
+    write_vtk(particles_.place(frame), fields);
+    particles_.add(frame);
+}
+
+void RunDirectory::write_wall(std::int64_t frame, const Vessel& vessel, const WallShape& shape)
+{
+    output::write_wall(walls_.place(frame), vessel, shape);
+    walls_.add(frame);
 }
 
 void RunDirectory::write_checkpoint(const SimulationState& state)
@@ -200,33 +187,6 @@ void RunDirectory::write_manifest(RunStatus status, const std::string& message) 
     json["scenario_hash"] = scenario_hash(scenario_);
     json["scenario"] = Json::parse(to_json(scenario_));
     write_atomically(manifest_file(directory_), json_text(json));
-}
-
-void RunDirectory::write_series() const
-{
-    Json files = Json::array();
-    for (const std::int64_t frame : particle_frames_) {
-        files.push_back(
-            {{"name", particle_file(frame)}, {"time", static_cast<double>(frame) * scenario_.time.frame_s}});
-    }
-    const Json series{{"file-series-version", "1.0"}, {"files", files}};
-    write_atomically(directory_ / series_name, series.dump(2) + "\n");
-}
-
-/// Finds the particle files up to a frame again and removes the later ones.
-void RunDirectory::read_series(std::int64_t last_frame)
-{
-    for (const std::int64_t frame : particle_frames(directory_)) {
-        if (frame <= last_frame) {
-            particle_frames_.push_back(frame);
-        } else {
-            std::error_code unused;
-            fs::remove(particles_file(directory_, frame), unused);
-        }
-    }
-    if (!particle_frames_.empty()) {
-        write_series();
-    }
 }
 
 } // namespace aneurysm::output

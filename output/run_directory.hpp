@@ -4,7 +4,9 @@
 #include "common/backend.hpp"
 #include "output/checkpoint.hpp"
 #include "output/file.hpp"
+#include "output/frame_files.hpp"
 #include "output/vtk.hpp"
+#include "output/wall_mesh.hpp"
 
 #include <string>
 #include <string_view>
@@ -22,7 +24,9 @@ enum class RunStatus { running, finished, interrupted, failed };
 ///     frames.csv               one row a frame
 ///     hashes.csv               a hash of each field, one row a frame
 ///     checkpoint.h5            the last good state
-///     particles/frame_*.vtkhdf for ParaView; particles.vtkhdf.series opens them with their times
+///     particles/frame_*.hdf    for ParaView; particles.hdf.series opens them with their times
+///     wall/frame_*.hdf         likewise, of the same frames: wall, breach and open ends of an artery
+///     show_in_paraview.py              shows both: paraview --script=DIR/show_in_paraview.py
 ///
 /// Every file is written in one step or grows by whole lines, so a killed run leaves nothing broken.
 class RunDirectory
@@ -53,6 +57,8 @@ public:
     /// A row of frames.csv and of hashes.csv; `state` is that after the frame.
     void append(const FrameRecord& record, const SimulationState& state);
     void write_particles(std::int64_t frame, const ParticleFields& fields);
+    /// \pre the vessel is an artery
+    void write_wall(std::int64_t frame, const Vessel& vessel, const WallShape& shape);
     void write_checkpoint(const SimulationState& state);
     /// How the run ended; `message` says why when it didn't finish.
     void close(RunStatus status, const std::string& message);
@@ -61,17 +67,16 @@ private:
     RunDirectory(std::filesystem::path directory, Scenario scenario, Engine engine, LineFile::Mode mode);
 
     void write_manifest(RunStatus status, const std::string& message) const;
-    void write_series() const;
-    void read_series(std::int64_t last_frame);
 
     std::filesystem::path directory_;
     Scenario scenario_;
     Engine engine_;
     LineFile frames_;
     LineFile hashes_;
+    FrameFiles particles_;
+    FrameFiles walls_;
     std::string started_;
     std::vector<std::int64_t> resumed_at_; ///< frames
-    std::vector<std::int64_t> particle_frames_;
     std::int64_t frame_ = 0;
     std::string state_hash_; ///< of the last checkpoint
 };

@@ -14,8 +14,10 @@ namespace
 class Loop
 {
 public:
-    Loop(const Scenario& scenario, std::int64_t frames, Simulation& simulation, RunDirectory& directory)
-        : scenario_(scenario), frames_(frames), simulation_(simulation), directory_(directory)
+    Loop(const Scenario& scenario, const Vessel& vessel, std::int64_t frames, Simulation& simulation,
+         RunDirectory& directory)
+        : scenario_(scenario), vessel_(vessel), frames_(frames), simulation_(simulation),
+          directory_(directory)
     {
     }
 
@@ -30,6 +32,9 @@ public:
             directory_.append(record, simulation_.state());
             write_due(record.frame);
             on_frame(record);
+        }
+        if (frame() >= frames_ && !due(frame(), scenario_.output.particles_every_frames)) {
+            write_particles(frame()); // the last one, too
         }
         save_state();
         return frame() >= frames_;
@@ -62,24 +67,34 @@ private:
             saved_frame_ = frame();
         }
     }
+    static bool due(std::int64_t frame, std::int64_t every) { return every > 0 && frame % every == 0; }
     void write_due(std::int64_t frame)
     {
-        const auto due = [frame](std::int64_t every) { return every > 0 && frame % every == 0; };
-        if (due(scenario_.output.particles_every_frames)) {
+        if (due(frame, scenario_.output.particles_every_frames)) {
             write_particles(frame);
         }
-        if (due(scenario_.output.checkpoint_every_frames)) {
+        if (due(frame, scenario_.output.checkpoint_every_frames)) {
             save_state();
         }
     }
     void write_particles(std::int64_t frame)
     {
-        if (scenario_.output.particles_every_frames > 0) {
-            directory_.write_particles(frame, {simulation_.state().particles, simulation_.density()});
+        if (scenario_.output.particles_every_frames == 0) {
+            return;
+        }
+        const SimulationState& state = simulation_.state();
+        directory_.write_particles(frame, {state.particles, simulation_.density()});
+        if (vessel_.form() == DomainForm::artery) {
+            const AneurysmState& sac = state.aneurysm;
+            const double breach = scenario_.rupture.breach_radius_radii * scenario_.vessel.radius_m;
+            directory_.write_wall(
+                frame, vessel_,
+                wall_shape(vessel_, sac.radius + sac.displacement, sac.phase == Phase::ruptured, breach));
         }
     }
 
     const Scenario& scenario_;
+    const Vessel& vessel_;
     std::int64_t frames_;
     Simulation& simulation_;
     RunDirectory& directory_;
@@ -88,10 +103,10 @@ private:
 
 } // namespace
 
-bool run_frames(const Scenario& scenario, std::int64_t frames, Simulation& simulation,
+bool run_frames(const Scenario& scenario, const Vessel& vessel, std::int64_t frames, Simulation& simulation,
                 RunDirectory& directory, const OnFrame& on_frame)
 {
-    Loop loop(scenario, frames, simulation, directory);
+    Loop loop(scenario, vessel, frames, simulation, directory);
     bool complete = false;
     try {
         complete = loop.run(on_frame);

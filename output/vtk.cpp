@@ -18,21 +18,42 @@ namespace
 {
 
 constexpr std::uint8_t vtk_vertex = 1;
+constexpr std::uint8_t vtk_polygon = 7;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// One vertex cell for each point.
-void write_cells(const hdf5::Group& group, std::size_t count)
+/// Cells of one type: the numbers of their points, one cell after the other, and where each cell ends.
+struct Cells {
+    std::uint8_t type;
+    std::vector<std::int64_t> points;
+    std::vector<std::int64_t> ends;
+};
+
+Cells vertices(std::size_t count)
 {
-    const auto n = static_cast<std::int64_t>(count);
-    for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"}) {
-        group.write(name, std::vector{n});
-    }
-    std::vector<std::int64_t> numbers(count + 1);
-    std::iota(numbers.begin(), numbers.end(), 0);
-    group.write("Offsets", numbers);
-    numbers.pop_back();
-    group.write("Connectivity", numbers);
-    group.write("Types", std::vector<std::uint8_t>(count, vtk_vertex));
+    Cells cells{vtk_vertex, std::vector<std::int64_t>(count), std::vector<std::int64_t>(count)};
+    std::iota(cells.points.begin(), cells.points.end(), 0);
+    std::iota(cells.ends.begin(), cells.ends.end(), 1);
+    return cells;
+}
+
+hdf5::Group create_grid(const hdf5::File& image, const std::vector<Vec3>& points, Cells cells)
+{
+    const hdf5::Group grid = image.root().create_group("VTKHDF");
+    grid.write_attribute("Version", std::array<std::int64_t, 2>{1, 0});
+    grid.write_attribute("Type", std::string("UnstructuredGrid"));
+    const auto write_count = [&grid](const char* name, std::size_t count) {
+        grid.write(name, std::vector{static_cast<std::int64_t>(count)});
+    };
+    write_count("NumberOfPoints", points.size());
+    write_count("NumberOfCells", cells.ends.size());
+    write_count("NumberOfConnectivityIds", cells.points.size());
+    grid.write("Connectivity", cells.points);
+    grid.write("Types", std::vector<std::uint8_t>(cells.ends.size(), cells.type));
+    cells.ends.insert(cells.ends.begin(), 0);
+    grid.write("Offsets", cells.ends);
+    grid.write("Points", points);
+    grid.describe("Points", "units", "m");
+    return grid;
 }
 
 std::vector<Vec3> read_finite(const hdf5::Group& group, const char* name)
@@ -89,18 +110,32 @@ void write_vtk(const std::filesystem::path& file, const ParticleFields& fields)
     const ShownParticles shown = shown_particles(fields);
     const hdf5::File image(file.string());
     {
-        const hdf5::Group root = image.root();
-        const hdf5::Group grid = root.create_group("VTKHDF");
-        grid.write_attribute("Version", std::array<std::int64_t, 2>{1, 0});
-        grid.write_attribute("Type", std::string("UnstructuredGrid"));
-        write_cells(grid, shown.id.size());
-        grid.write("Points", shown.position);
+        const hdf5::Group grid = create_grid(image, shown.position, vertices(shown.size()));
         const hdf5::Group data = grid.create_group("PointData");
         data.write("id", shown.id);
         data.write("kind", shown.kind);
+        data.describe("kind", "meaning",
+                      "1 blood in the artery, 2 blood beyond the breach, 3 in the inlet's buffer, "
+                      "4 and 5 in the buffers of the outlets");
         data.write("velocity", shown.velocity);
+        data.describe("velocity", "units", "m/s");
         data.write("density", shown.density);
+        data.describe("density", "units", "kg/m^3");
         data.write("pressure", shown.pressure);
+        data.describe("pressure", "units", "Pa");
+    }
+    write_atomically(file, image.image());
+}
+
+void write_vtk(const std::filesystem::path& file, const Surface& surface, const std::string& meaning)
+{
+    const hdf5::File image(file.string());
+    {
+        const hdf5::Group grid =
+            create_grid(image, surface.points, {vtk_polygon, surface.corners, surface.ends});
+        const hdf5::Group data = grid.create_group("CellData");
+        data.write("part", surface.part);
+        data.describe("part", "meaning", meaning);
     }
     write_atomically(file, image.image());
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace aneurysm::output
@@ -18,8 +19,20 @@ struct ParticleFields {
 };
 
 /// The particles but for the reserve, as VTKHDF 1.0 (an unstructured grid of vertices): VTK 9.1,
-/// ParaView 5.10 and later read it. \throws Error
+/// ParaView 5.10 and later read it. Each array has its unit as the attribute `units`. \throws Error
 void write_vtk(const std::filesystem::path& file, const ParticleFields& fields);
+
+/// Polygons in space.
+struct Surface {
+    std::vector<Vec3> points;          ///< [m]
+    std::vector<std::int64_t> corners; ///< numbers of points, polygon after polygon
+    std::vector<std::int64_t> ends;    ///< by polygon, how many corners there are up to its last
+    std::vector<std::uint8_t> part;    ///< by polygon, what it belongs to
+};
+
+/// An unstructured grid of polygons with the array `part`; its attribute `meaning` says what the numbers mean.
+/// \throws Error
+void write_vtk(const std::filesystem::path& file, const Surface& surface, const std::string& meaning);
 
 /// What a particle file holds: all but the reserve, in the order of the particles'
 /// numbers. Every array has size() entries.

@@ -48,7 +48,9 @@ struct Solved {
 
 /// What a flow step may be given by those who check it.
 struct FlowHooks {
+    /// Instead of its own solves.
     Solved solved;
+    /// Sees what is computed on the way.
     FlowObserver* observer = nullptr;
 };
 
@@ -61,6 +63,7 @@ public:
     Flow(const Scenario& scenario, const Vessel& vessel, double dx, std::array<std::vector<Vec3>, 3> slabs);
 
     double particle_mass() const { return mass_; } ///< rho_0 / sum of W over the lattice [kg]
+    /// W of all sums.
     const Kernel& kernel() const { return kernel_; }
 
     /// One step to time t; fills in the flow's part of the record.

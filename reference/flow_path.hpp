@@ -12,6 +12,7 @@ struct FlowPath {
     double friction = 0; ///< sum of 8 L A_inlet / (A r^2), Hagen and Poiseuille's drop over mu v [1/m]
 };
 
+/// Of a vessel, by the places of its openings.
 inline FlowPath flow_path(const Scenario& scenario, const Vessel& vessel)
 {
     const double r_0 = vessel.openings()[0].radius;

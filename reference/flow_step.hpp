@@ -15,13 +15,16 @@ namespace aneurysm::reference
 /// The wall as one flow step sees it.
 struct Wall {
     double radius = 0; ///< of the sac, displacement included [m]
+    /// Of a wall of this radius; none in the breach.
     WallGhosts ghosts;
+    /// Once the wall is ruptured.
     std::optional<Breach> breach;
 };
 
 /// What one flow step computes on the way.
 struct FlowStep {
     Bodies bodies; ///< velocity: before the blood's own pressure acts
+    /// Of each body.
     Neighbors neighbors;
     std::vector<double> rho;        ///< by body, (5) [kg/m^3]
     std::vector<Vec3> F_viscosity;  ///< by particle, (7) [N/m^3]

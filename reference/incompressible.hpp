@@ -24,8 +24,11 @@ enum class Given : std::uint8_t {
 ///
 /// for each free body i. v* is the bodies' velocity.
 struct IncompressibleProblem {
+    /// Free ones and given ones.
     const Bodies* bodies = nullptr;
+    /// Of each body.
     const Neighbors* neighbors = nullptr;
+    /// What those that aren't free do.
     Given given = Given::mirrors;
     double rho_0 = 0;               ///< [kg/m^3]
     double dt = 0;                  ///< [s]
@@ -33,19 +36,24 @@ struct IncompressibleProblem {
     std::span<const double> lowest; ///< by body [Pa]
 };
 
+/// When the solve of (3) stops, and how large its steps are.
 struct IncompressibleSettings {
     double relaxation = 0;    ///< omega, below relaxation_limit()
     double tolerance = 0;     ///< for the mean |residual| / rho_0 [1/s]
     double max_tolerance = 0; ///< for the largest |residual| / rho_0 [1/s]
+    /// Then it stops, whatever the residual is.
     std::int64_t max_iterations = 0;
 };
 
 /// How the solve ended. All over free bodies, divided by rho_0 [1/s].
 struct IncompressibleReport {
+    /// How many it took.
     std::int64_t iterations = 0;
     double residual_mean = 0; ///< of (3) where the pressure can act
+    /// The largest.
     double residual_max = 0;
     double divergence_mean = 0; ///< |Drho/Dt|, which is rho |div v|, of the new velocity
+    /// The largest.
     double divergence_max = 0;
 };
 

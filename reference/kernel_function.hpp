@@ -17,6 +17,7 @@ namespace aneurysm::reference
 class Kernel
 {
 public:
+    /// `smoothing_length`: h [m]
     Kernel(KernelName name, double smoothing_length) : name_(name), h_(smoothing_length) {}
 
     double smoothing_length() const { return h_; } ///< h [m]

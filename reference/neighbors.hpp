@@ -26,16 +26,22 @@ struct Bodies {
     std::vector<Vec3> position; ///< [m]
     std::vector<Vec3> velocity; ///< [m/s]
     std::vector<double> mass;   ///< [kg]
+    /// By body.
     std::vector<Role> role;
 
+    /// How many bodies there are.
     std::size_t size() const { return position.size(); }
+    /// Blood that forces move.
     bool free(std::size_t i) const { return role[i] == Role::free; }
+    /// Blood, whether forces move it or not.
     bool blood(std::size_t i) const { return role[i] == Role::free || role[i] == Role::driven; }
+    /// A ghost of the wall.
     bool wall(std::size_t i) const { return role[i] == Role::mirror || role[i] == Role::slip; }
 };
 
 /// A body j within the support of a body i, i itself included, with all that the sums need of the pair.
 struct Neighbor {
+    /// Its number.
     std::size_t j = 0;
     double W = 0;     ///< W(|r_i - r_j|) [1/m^3]
     Vec3 grad_W;      ///< its gradient with respect to r_i [1/m^4]

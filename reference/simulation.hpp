@@ -42,6 +42,7 @@ public:
     const std::vector<double>& density() const override { return flow_.density(); }
     const std::vector<double>& solved_pressure() const override { return solved_pressure_; }
     const std::vector<double>& solved_kappa() const override { return solved_kappa_; }
+    /// The scenario's, with the daughters of (24).
     const Vessel& vessel() const { return vessel_; }
 
 private:

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace aneurysm
 {
@@ -31,10 +33,14 @@ public:
 
     void check() const
     {
-        fields::visit(s_, [this](const Field& field, const auto& member) {
+        std::vector<std::string> without_reason;
+        fields::visit(s_, [&](const Field& field, const auto& member) {
             check_range(field, member);
-            check_reason(field, member);
+            if (lacks_reason(field, member)) {
+                without_reason.emplace_back(field.path);
+            }
         });
+        refuse_without(without_reason);
         check_domain();
         check_sac();
         if (s_.domain.form == DomainForm::artery) {
@@ -108,14 +114,26 @@ private:
     }
 
     template <class Member>
-    void check_reason(const Field& field, const Member& member) const
+    bool lacks_reason(const Field& field, const Member& member) const
     {
-        const std::string path(field.path);
-        if (field.origin.kind != Origin::Kind::setting && !s_.assumed.contains(path) &&
-            !from_paper(field.origin, member)) {
-            refuse("assumed." + path, "missing reason for a value that the paper doesn't give",
-                   "one of the paper's values, or a string here that says why this one was taken");
+        return field.origin.kind != Origin::Kind::setting && !s_.assumed.contains(std::string(field.path)) &&
+               !from_paper(field.origin, member);
+    }
+
+    /// All paths at once, as they are to be written.
+    void refuse_without(const std::vector<std::string>& paths) const
+    {
+        if (paths.empty()) {
+            return;
         }
+        std::string entries;
+        for (const std::string& path : paths) {
+            entries += (entries.empty() ? "\"" : ", \"") + path + "\": \"...\"";
+        }
+        refuse(
+            "assumed." + paths.front(), "missing reason for a value that the paper doesn't give",
+            "one of the paper's values, or here why this one was taken; all that are missing: \"assumed\": {" +
+                entries + "}");
     }
 
     void check_domain() const

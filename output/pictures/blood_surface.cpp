@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/pictures/blood_surface.hpp"
 
+#include "output/pictures/grid.hpp"
+
 #include <vtkPolyData.h>
 
 #include <algorithm>

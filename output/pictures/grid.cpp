@@ -10,12 +10,6 @@
 namespace aneurysm::pictures
 {
 
-void Box::include(const Vec3& x, double margin)
-{
-    low = {std::min(low.x, x.x - margin), std::min(low.y, x.y - margin), std::min(low.z, x.z - margin)};
-    high = {std::max(high.x, x.x + margin), std::max(high.y, x.y + margin), std::max(high.z, x.z + margin)};
-}
-
 Grid::Grid(const Box& box, double cell)
     : cell_(cell), origin_(box.low), image_(vtkSmartPointer<vtkImageData>::New())
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "common/vec3.hpp"
+#include "output/wall_mesh.hpp"
 
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
@@ -14,13 +14,7 @@
 namespace aneurysm::pictures
 {
 
-/// A box along the axes. [m]
-struct Box {
-    Vec3 low;
-    Vec3 high;
-
-    void include(const Vec3& x, double margin = 0);
-};
+using output::Box;
 
 /// Points at equal distances that fill a box, with one number at each.
 class Grid

@@ -128,11 +128,8 @@ Scene::Scene(const Scenario& scenario, const Vessel& vessel, double spacing)
 
 WallShape Scene::shape_of(const FrameRecord& record) const
 {
-    WallShape shape{record.radius + record.displacement, std::nullopt};
-    if (record.phase == Phase::ruptured) {
-        shape.breach = Breach{vessel_.dome(shape.radius), breach_radius_};
-    }
-    return shape;
+    return output::wall_shape(vessel_, record.radius + record.displacement, record.phase == Phase::ruptured,
+                              breach_radius_);
 }
 
 void Scene::show(const Snapshot& snapshot, const Look& look)

@@ -81,6 +81,8 @@ scenarios = [
     ({"base": str(base), "assumed": {"vessel.radius_m": ""}}, "assumed.vessel.radius_m", True),
     # What contradicts other values is beyond a schema.
     ({"base": str(base), "fluid": {"density_kg_m3": 1060}}, "assumed.fluid.density_kg_m3", False),
+    ({"base": str(base), "particles": {"count": 9000}, "vessel": {"angle_deg": 50}},  # all at once, to paste
+     '"assumed": {"particles.count": "...", "vessel.angle_deg": "..."}', False),
     (changed(particles={"count": 12}), "particles.count", False),
     (changed(particles={"count": 100}), "particles.count", False),
     (changed(vessel={"angle_deg": 15, "daughter_length_radii": 3.5}), "vessel.angle_deg", False),

@@ -10,17 +10,29 @@ from program import data, expect, read_json
 frames = 20
 
 
+def fnv1a(text):
+    number = 0xCBF29CE484222325
+    for byte in text.encode():
+        number = (number ^ byte) * 0x100000001B3 % 2**64
+    return f"{number:016x}"
+
+
 def check_citation(_):
     version = program.run("--version")[0].split()[-1]
-    cited = (data / "../CITATION.cff").read_text()
-    expect(f"\nversion: {version}\n" in cited, f"CITATION.cff: version {version} expected")
+    commit = re.search(r"commit +(\S+)", program.run("info")[0])[1]
     shipped = read_json(data / "baseline.json")
-    expect(shipped["version"] == version, f"a baseline of {version} expected: {shipped['version']}")
+    cite, _ = program.run("info", "--cite", cwd=data.parent)
+    digest = fnv1a("".join(r["digest"] for s in shipped["scenarios"] for r in s["runs"]))
+    sentence = f"version {version}, commit {commit}, digest of the baseline {digest}"
+    entry = rf"@software\{{aneurysm_{version.replace('.', '_')},.*version = \{{{version}\}}.*{commit}.*{digest}.*@article\{{"
+    expect(sentence in cite and re.search(entry, cite, re.DOTALL), f"'{sentence}', also as BibTeX, expected: {cite}")
+    program.run("info", "--cite", data / "scenarios/quick.json", code=2)
     page = (data / "../docs/verification.md").read_text()
     for s in shipped["scenarios"]:
         for r in s["runs"]:
             row = rf"\| `{s['name']}` \| [^|]*{r['recorded_as']}[^|]* \| {r['frames']} \| `{r['digest']}` \|"
             expect(re.search(row, page), f"docs/verification.md: a row {row} expected")
+            expect(r["digest"] in cite, f"info --cite: digest {r['digest']} expected")
 
 
 def check_record(scratch):

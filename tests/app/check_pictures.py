@@ -94,7 +94,7 @@ def check_bad_input():
     refused("render", run_directory, "--sheet", "--labels", "a,b", names=["--labels", "2 for 1"])
     damaged = scratch / "damaged"
     shutil.copytree(run_directory, damaged)
-    file = damaged / "particles/frame_000100.vtkhdf"
+    file = damaged / "particles/frame_000100.hdf"
     file.write_bytes(file.read_bytes()[:2000])
     refused("render", damaged, "--frames", 100, names=[file])
     (damaged / "frames.csv").write_text("frame\n")

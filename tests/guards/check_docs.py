@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""README.md, CONTRIBUTING.md and docs/ say nothing of what isn't there.
+"""README.md, ARTIFACT.md, CONTRIBUTING.md and docs/ say nothing of what isn't there.
 
   - a link leads to a file, and a file of the project that is named in backticks exists;
   - a bound that a check cites, as in (docs/bounds.md, B7), has its section;
@@ -9,6 +9,7 @@ import re
 
 import guard
 
+PAGES = ("README.md", "ARTIFACT.md", "CONTRIBUTING.md")
 LINK = re.compile(r"\]\((?!https?:)([^)#]+)")
 PATH = re.compile(r"`((?:%s|data|docs|cmake)/[\w./]*\w)/?`" % "|".join(guard.ROOMS))
 EXAMPLE = re.compile(r"[A-Z]{4}|/mine\.json")  # a name that stands for others, or for the reader's
@@ -19,7 +20,7 @@ LONGEST = 150  # lines of README.md
 
 def check(root):
     findings = []
-    for file in [root / "README.md", root / "CONTRIBUTING.md", *sorted((root / "docs").glob("*.md"))]:
+    for file in [*(root / page for page in PAGES), *sorted((root / "docs").glob("*.md"))]:
         text = file.read_text(encoding="utf-8")
         name = file.relative_to(root)
         findings += [f"{name}: no file {link}" for link in LINK.findall(text) if not (file.parent / link).exists()]

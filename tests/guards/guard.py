@@ -10,6 +10,7 @@ import tempfile
 from pathlib import Path
 
 ROOMS = ("common", "reference", "cuda", "analytic", "output", "verification", "app", "benchmarks", "tests")
+ROOT_FILES = ("CITATION.cff", "CMakeLists.txt", ".zenodo.json", "codemeta.json")
 SOURCES = {".hpp", ".cpp", ".h", ".cuh", ".cu"}
 
 
@@ -27,8 +28,8 @@ def planted(root, check, faults):
             for room in (*ROOMS, "data", "docs", "cmake"):
                 if (root / room).is_dir():
                     shutil.copytree(root / room, copy / room)
-            for page in root.glob("*.md"):
-                shutil.copy(page, copy)
+            for file in (*root.glob("*.md"), *(root / name for name in ROOT_FILES)):
+                shutil.copy(file, copy)
             texts = {p: p.read_text(encoding="utf-8") for p in (sources(copy, place) or [copy / place])}
             if not any(old in text for text in texts.values()):
                 missed.append(f"{place}: nothing to plant a fault in: {old!r}")

@@ -117,12 +117,14 @@ BOOST_AUTO_TEST_CASE(resuming_goes_back_to_the_checkpoint)
     const Scratch scratch;
     const fs::path out = scratch.path / "run";
     const std::vector<double> density(50, 1050);
+    const Vessel vessel(scenario(), 0.4);
     {
         RunDirectory run = RunDirectory::create(out, scenario(), engine);
         for (std::int64_t frame = 1; frame <= 4; ++frame) {
             const SimulationState s = any_state(frame);
             run.append(any_record(frame), s);
             run.write_particles(frame, {s.particles, density});
+            run.write_wall(frame, vessel, {0.4, std::nullopt});
             if (frame == 2) {
                 run.write_checkpoint(s);
             }
@@ -137,18 +139,20 @@ BOOST_AUTO_TEST_CASE(resuming_goes_back_to_the_checkpoint)
         contains(message_of([&] { RunDirectory::resume(out / "no", checkpoint, engine); }), "manifest.json"));
     RunDirectory::resume(out, checkpoint, engine);
     BOOST_TEST(read_frames(RunDirectory::frames_file(out)).size() == 2);
-    BOOST_TEST(fs::exists(out / "particles/frame_000002.vtkhdf"));
-    BOOST_TEST(!fs::exists(out / "particles/frame_000003.vtkhdf"));
-    const auto series = nlohmann::json::parse(read_text(out / "particles.vtkhdf.series"));
-    BOOST_TEST(series["files"].size() == 2);
-    BOOST_TEST(series["files"][1]["name"] == "particles/frame_000002.vtkhdf");
-    BOOST_TEST(series["files"][1]["time"] == 0.002);
+    for (const std::string kind : {"particles", "wall"}) {
+        BOOST_TEST(fs::exists(out / kind / "frame_000002.hdf"));
+        BOOST_TEST(!fs::exists(out / kind / "frame_000003.hdf"));
+        const auto series = nlohmann::json::parse(read_text(out / (kind + ".hdf.series")));
+        BOOST_TEST(series["files"].size() == 2);
+        BOOST_TEST(series["files"][1]["name"] == kind + "/frame_000002.hdf");
+        BOOST_TEST(series["files"][1]["time"] == 0.002);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(particle_files_are_vtkhdf)
 {
     const Scratch scratch;
-    const fs::path file = scratch.path / "p.vtkhdf";
+    const fs::path file = scratch.path / "p.hdf";
     SimulationState s = any_state(1, 60); // ten of each kind, the reserve included
     s.particles.pressure[1] = unset_pressure;
     std::vector<double> density;
@@ -184,5 +188,9 @@ BOOST_AUTO_TEST_CASE(particle_files_are_vtkhdf)
     BOOST_TEST(pressure.size() == 50);
     BOOST_TEST(pressure[0] == 0);
     BOOST_TEST(pressure[1] == s.particles.pressure[2]);
+    BOOST_TEST(points.description("velocity", "units") == "m/s");
+    BOOST_TEST(points.description("density", "units") == "kg/m^3");
+    BOOST_TEST(points.description("pressure", "units") == "Pa");
+    BOOST_TEST(grid.description("Points", "units") == "m");
     BOOST_CHECK_NO_THROW(write_vtk(file, {s.particles, {}}));
 }

@@ -73,7 +73,7 @@ void write_damaged(const fs::path& file, const std::string& missing, std::size_t
 BOOST_AUTO_TEST_CASE(particles_come_back_to_the_same_bits)
 {
     const Scratch scratch;
-    const fs::path file = scratch.path / "p.vtkhdf";
+    const fs::path file = scratch.path / "p.hdf";
     const SimulationState state = any_state(1, 60);
     std::vector<double> density(60, 1050);
     const ParticleFields fields{state.particles, density};
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(particles_come_back_to_the_same_bits)
 BOOST_AUTO_TEST_CASE(a_bad_particle_file_is_named_with_what_is_bad)
 {
     const Scratch scratch;
-    const fs::path file = scratch.path / "p.vtkhdf";
+    const fs::path file = scratch.path / "p.hdf";
     const auto message = [&file] { return message_of([&file] { read_vtk(file); }); };
     BOOST_TEST(contains(message(), file.string()));
     write_damaged(file, "", 0, 1);
@@ -135,8 +135,8 @@ BOOST_AUTO_TEST_CASE(what_a_run_lacks_is_named)
     const RecordedRun run(directory);
     BOOST_TEST(contains(message_of([&] { run.record(4); }), "up to 3"));
     BOOST_TEST(contains(message_of([&] { run.particles(2); }), "there are: 1, 3"));
-    fs::remove(directory / "particles/frame_000003.vtkhdf");
-    BOOST_TEST(contains(message_of([&] { run.particles(3); }), "frame_000003.vtkhdf"));
+    fs::remove(directory / "particles/frame_000003.hdf");
+    BOOST_TEST(contains(message_of([&] { run.particles(3); }), "frame_000003.hdf"));
     const auto message = [&] { return message_of([&] { RecordedRun{directory}; }); };
     fs::remove_all(directory / "particles");
     BOOST_TEST(contains(message(), "no particle files"));

@@ -10,6 +10,7 @@
 #include "output/frames.hpp"
 #include "output/run_directory.hpp"
 #include "output/run_frames.hpp"
+#include "reference/bifurcation.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -67,7 +68,8 @@ void make_run(const fs::path& directory, const Scenario& scenario, const backend
     output::RunDirectory run = checkpoint
                                    ? output::RunDirectory::resume(directory, *checkpoint, backend->engine())
                                    : output::RunDirectory::create(directory, scenario, backend->engine());
-    output::run_frames(scenario, scenario.time.frames, *backend, run, on_frame);
+    const Vessel vessel(scenario, reference::daughter_radius(scenario.vessel.radius_m));
+    output::run_frames(scenario, vessel, scenario.time.frames, *backend, run, on_frame);
 }
 
 } // namespace
