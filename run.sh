@@ -9,7 +9,7 @@ if [ -t 1 ]; then quiet=; fi # ninja shows how far it is
 
 cmake/install_dependencies.sh cmake/dependencies
 echo "== building: ten minutes at first, on two cores"
-cmake --preset release --log-level=WARNING >/dev/null
+cmake/configure.sh release
 cmake --build --preset release --target aneurysm_programs -- $quiet
 
 out=results/paper_tc1
