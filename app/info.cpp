@@ -4,6 +4,7 @@
 #include "app/exit_codes.hpp"
 #include "common/equations.hpp"
 #include "common/scenario/limits.hpp"
+#include "common/scenario/shipped.hpp"
 #include "output/build_info.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/rupture.hpp"
@@ -154,18 +155,22 @@ void add_info(CLI::App& app, std::optional<int>& code)
     struct InfoOptions {
         std::string scenario;
         bool schema = false;
+        bool data = false;
     };
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* info =
         app.add_subcommand("info", "Show version and equations, or what follows from a scenario");
     info->add_option("SCENARIO", options->scenario, "scenario file");
     info->add_flag("--schema", options->schema, "print the JSON Schema of scenario files");
+    info->add_flag("--data", options->data, "print the folder of the shipped scenarios and records");
     info->footer("Examples:\n"
                  "  aneurysm info\n"
                  "  aneurysm info data/scenarios/paper_tc1.json");
     info->callback([options, &code] {
         if (options->schema) {
             std::cout << scenario_schema();
+        } else if (options->data) {
+            std::cout << data_directory().string() << "\n";
         } else if (options->scenario.empty()) {
             std::cout << program_info() << "Equations of the paper: number, section, status, in runs, title\n"
                       << equation_table();

@@ -35,6 +35,7 @@ if [ ! -e "$root/usr/bin/apt-get" ]; then
         debootstrap --variant=minbase "$suite" "$root" "$mirror" >/dev/null
     fi
 fi
+echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/other_system" # a root to throw away needs no care for power cuts
 cp -L /etc/resolv.conf "$root/etc/resolv.conf"
 mkdir -p "$folder/ccache" "$root/root/.cache/ccache"
 if [ -d "$root/aneurysm/.git" ]; then
