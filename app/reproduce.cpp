@@ -143,7 +143,7 @@ void add_reproduce(CLI::App& app, std::optional<int>& code)
     reproduce_app->add_option("--jobs", options->jobs, "runs at once; 0: as many as there are cores")
         ->check(at_least(0))
         ->capture_default_str();
-    reproduce_app->add_option("--data", options.data,
+    reproduce_app->add_option("--data", options->data,
                               "folder of the project's data (default: the shipped one)");
     reproduce_app->add_flag("--calibrate", options->calibrate,
                             "fit what the paper doesn't give, as data/calibration.json says, instead");

@@ -10,7 +10,7 @@ foreach(target aneurysm-sensitivity bench_frames) # where they were built
   endif()
 endforeach()
 if(TARGET aneurysm-pictures)
-  install(TARGETS aneurysm-pictures COMPONENT pictures)
+  install(TARGETS aneurysm-pictures COMPONENT pictures OPTIONAL)
 endif()
 install(DIRECTORY data DESTINATION ${share} PATTERN pictures EXCLUDE)
 install(FILES output/plot_run.py DESTINATION ${share}/output)
