@@ -130,7 +130,7 @@ begin "looking for packages, installing what is missing"
 cmake/install_dependencies.sh cmake/dependencies
 end
 begin "building: ten minutes at first, on two cores"
-cmake --preset release --log-level=WARNING >/dev/null
+cmake/configure.sh release
 if [ -t 1 ]; then # ninja shows how far it is
     cmake --build --preset release --target aneurysm_programs
 else

@@ -5,6 +5,7 @@
 #include "app/exit_codes.hpp"
 #include "common/equations.hpp"
 #include "common/scenario/limits.hpp"
+#include "common/scenario/shipped.hpp"
 #include "output/build_info.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/rupture.hpp"
@@ -156,6 +157,7 @@ void add_info(CLI::App& app, std::optional<int>& code)
         std::string scenario;
         bool schema = false;
         bool cite = false;
+        bool data = false;
     };
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* info =
@@ -164,9 +166,13 @@ void add_info(CLI::App& app, std::optional<int>& code)
     CLI::Option* schema =
         info->add_flag("--schema", options->schema, "print the JSON Schema of scenario files")
             ->excludes(scenario);
-    info->add_flag("--cite", options->cite, "print what to cite, as text and BibTeX")
+    CLI::Option* cite = info->add_flag("--cite", options->cite, "print what to cite, as text and BibTeX")
+                            ->excludes(scenario)
+                            ->excludes(schema);
+    info->add_flag("--data", options->data, "print the folder of the shipped scenarios and records")
         ->excludes(scenario)
-        ->excludes(schema);
+        ->excludes(schema)
+        ->excludes(cite);
     info->footer("Examples:\n"
                  "  aneurysm info\n"
                  "  aneurysm info data/scenarios/paper_tc1.json\n"
@@ -176,6 +182,8 @@ void add_info(CLI::App& app, std::optional<int>& code)
             std::cout << citation();
         } else if (options->schema) {
             std::cout << scenario_schema();
+        } else if (options->data) {
+            std::cout << data_directory().string() << "\n";
         } else if (options->scenario.empty()) {
             std::cout << program_info() << "Equations of the paper: number, section, status, in runs, title\n"
                       << equation_table();

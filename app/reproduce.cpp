@@ -4,6 +4,7 @@
 #include "app/options.hpp"
 #include "common/error.hpp"
 #include "common/process/interrupt.hpp"
+#include "common/scenario/shipped.hpp"
 #include "output/file.hpp"
 #include "verification/reproduction/calibrate.hpp"
 #include "verification/reproduction/items.hpp"
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 struct ReproduceOptions {
     std::vector<std::string> items; ///< table1 ... fig10; empty or "all": all
     fs::path out = "results/paper";
+    fs::path data; ///< of the project; empty: the shipped one
     backends::BackendChoice backend{Backend::cpu, Precision::float_};
     int seeds = 24;                ///< members of an ensemble
     std::optional<int> first_seed; ///< of the ensemble, or with `calibrate` of the calibration
@@ -89,6 +91,10 @@ void make_items(reproduction::Reproduction& reproduction, const ReproduceOptions
 
 int reproduce(const ReproduceOptions& options)
 {
+    if (!options.data.empty()) {
+        use_data_directory(options.data);
+    }
+    require_data();
     const InterruptWatch watch;
     reproduction::RunStore runs(options.out / "runs", options.backend, options.jobs);
     reproduction::Reproduction reproduction{runs, reproduction::read_data("paper.json"), options.out,
@@ -137,6 +143,8 @@ void add_reproduce(CLI::App& app, std::optional<int>& code)
     reproduce_app->add_option("--jobs", options->jobs, "runs at once; 0: as many as there are cores")
         ->check(at_least(0))
         ->capture_default_str();
+    reproduce_app->add_option("--data", options->data,
+                              "folder of the project's data (default: the shipped one)");
     reproduce_app->add_flag("--calibrate", options->calibrate,
                             "fit what the paper doesn't give, as data/calibration.json says, instead");
     reproduce_app->footer(

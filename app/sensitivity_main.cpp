@@ -5,6 +5,7 @@
 #include "common/parallel.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
+#include "common/scenario/shipped.hpp"
 #include "common/text.hpp"
 #include "output/file.hpp"
 #include "output/provenance.hpp"
@@ -82,6 +83,7 @@ int run_study(const Options& options)
     const sensitivity::StudyOptions study{.mutants = chosen_mutants(options, checks),
                                           .daily = options.mutants == "ci",
                                           .jobs = thread_count(options.jobs)};
+    require_data();
     make_report_directory(options.out);
     const std::string only = options.only.empty() ? "" : " --only " + joined(options.only, ",");
     const sensitivity::SensitivityReport report{

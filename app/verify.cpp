@@ -9,6 +9,7 @@
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
 #include "common/process/subprocess.hpp"
+#include "common/scenario/shipped.hpp"
 #include "common/text.hpp"
 #include "output/file.hpp"
 #include "output/provenance.hpp"
@@ -84,6 +85,7 @@ int verify_suite(const VerifyOptions& options)
     const std::vector<const suite::Check*> checks =
         suite::select(checks::all_checks(), options.full, options.only);
     std::vector<suite::SuiteSubject> subjects = suite::make_subjects(options.backends, options.precisions);
+    require_data();
     make_report_directory(options.out);
 
     suite::SuiteReport report;
@@ -128,6 +130,9 @@ int verify(VerifyOptions options)
                       : options.sensitivity ? "results/sensitivity"
                                             : "results/verify";
     }
+    if (!options.data.empty()) {
+        use_data_directory(options.data);
+    }
     if (options.sensitivity) {
         become_sensitivity(options);
     }
@@ -161,16 +166,17 @@ void add_verify(CLI::App& app, std::optional<int>& code)
     CLI::Option* baseline =
         verify_app
             ->add_flag("--baseline", options->baseline,
-                       "make the runs recorded in --data again instead; --only then names scenarios")
+                       "make the runs recorded in the data again instead; --only then names scenarios")
             ->excludes(quick)
             ->excludes(full);
-    verify_app->add_flag("--record", options->record, "with --baseline: record all of them anew, in --data")
+    verify_app->add_flag("--record", options->record, "with --baseline: record all of them anew, in the data")
         ->needs(baseline)
         ->excludes(out)
         ->excludes(only)
         ->excludes(backend)
         ->excludes(precision);
-    verify_app->add_option("--data", options->data, "folder of the baseline (default: the project's data/)");
+    verify_app->add_option("--data", options->data,
+                           "folder of the project's data (default: the shipped one)");
     CLI::Option* sensitivity =
         verify_app
             ->add_flag("--sensitivity", options->sensitivity,

@@ -180,6 +180,9 @@ int compare(const VerifyOptions& options, const fs::path& data, const comparison
             }
         }
     }
+    for (const comparison::BaselineScenario& s : scenarios) {
+        read_scenario(s.file); // before the first run, which may take minutes
+    }
     const std::vector<Task> tasks =
         tasks_of(scenarios, suite::make_subjects(options.backends, options.precisions));
     make_report_directory(options.out);

@@ -22,7 +22,7 @@ struct VerifyOptions {
 
     bool baseline = false;      ///< instead: recorded runs; `only` names scenarios then
     bool record = false;        ///< with `baseline`: write data/ anew
-    std::filesystem::path data; ///< where the baseline is; empty: data_directory
+    std::filesystem::path data; ///< of the project; empty: the shipped one
 
     bool sensitivity = false;    ///< instead: faults planted in the equations
     std::string mutants = "all"; ///< which: all, ci

@@ -173,6 +173,17 @@ std::string number(double value, int digits)
     return text.str();
 }
 
+/// Google Benchmark before 1.8 calls it an error.
+template <class Run>
+std::string why_not_run(const Run& run)
+{
+    if constexpr (requires { run.skipped; }) {
+        return run.skipped != decltype(run.skipped){} ? run.skip_message : std::string();
+    } else {
+        return run.error_occurred ? run.error_message : std::string();
+    }
+}
+
 std::string table(const std::vector<benchmark::BenchmarkReporter::Run>& runs, const std::vector<Case>& all)
 {
     std::ostringstream text;
@@ -182,8 +193,8 @@ std::string table(const std::vector<benchmark::BenchmarkReporter::Run>& runs, co
            "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const auto& run : runs) {
         const std::string name = run.run_name.function_name;
-        if (run.error_occurred) {
-            text << "| " << name << " | not run: " << run.error_message << " |\n";
+        if (const std::string reason = why_not_run(run); !reason.empty()) {
+            text << "| " << name << " | not run: " << reason << " |\n";
             continue;
         }
         if (run.counters.contains("GB_per_s")) {

@@ -30,6 +30,17 @@ Json to_json(const PlotPanel& panel)
             {"series", series}};
 }
 
+/// Debian's matplotlib is that of Debian's python3, whatever else is first on the path; elsewhere that is it.
+const std::string& plot_python()
+{
+    static const std::string python = [] {
+        const std::string debian = "/usr/bin/python3";
+        const std::string command = debian + " -c 'import matplotlib' >/dev/null 2>&1";
+        return std::system(command.c_str()) == 0 ? debian : std::string("python3"); // NOLINT(cert-env33-c)
+    }();
+    return python;
+}
+
 } // namespace
 
 fs::path Reproduction::folder(const std::string& id) const
@@ -61,10 +72,9 @@ Picture plot(const fs::path& file, const std::string& caption, std::size_t colum
     fs::path spec = file;
     spec.replace_extension(".plot.json");
     output::write_atomically(spec, Json{{"columns", columns}, {"panels", all}}.dump() + "\n");
-    const fs::path script = data_directory().parent_path() / "verification/reproduction/plot.py";
-    // Debian's matplotlib is that of Debian's python3, whatever else is first on the path.
-    run_program({"/usr/bin/python3", "-B", script.string(), spec.string(), file.string()},
-                "needed: Debian's python3-matplotlib");
+    const fs::path script = shipped_script("verification/reproduction/plot.py");
+    run_program({plot_python(), "-B", script.string(), spec.string(), file.string()},
+                "needed: a python3 with matplotlib (Debian's python3-matplotlib)");
     return {file, caption};
 }
 
