@@ -18,4 +18,18 @@ std::string joined(const Words& words, std::string_view separator = ", ")
     return text;
 }
 
+/// As a shell takes it for one word.
+inline std::string shell_word(const std::string& word)
+{
+    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
+        return word;
+    }
+    std::string text = "'";
+    for (const char c : word) {
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return text + "'";
+}
+
 } // namespace aneurysm

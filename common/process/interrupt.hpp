@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <csignal>
+#include <cstddef>
+
 namespace aneurysm
 {
 
@@ -8,7 +12,8 @@ namespace aneurysm
 struct Interrupted {
 };
 
-/// While one lives, the first Ctrl-C or SIGTERM is only noted; a second one ends the program at once.
+/// While one lives, Ctrl-C, SIGTERM, SIGHUP (the connection is lost) and SIGUSR1 (a batch system's warning) are only
+/// noted; a second Ctrl-C or SIGTERM ends the program at once. A reader of a pipe that goes ends nothing.
 class InterruptWatch
 {
 public:
@@ -20,6 +25,11 @@ public:
     InterruptWatch& operator=(InterruptWatch&&) = delete;
 
     static bool interrupted();
+
+    static constexpr std::size_t signals = 5; ///< that it sees
+
+private:
+    std::array<struct sigaction, signals> before_{};
 };
 
 } // namespace aneurysm

@@ -1,21 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/process/progress.hpp"
 
+#include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
 
 namespace aneurysm
 {
+namespace
+{
+
+ProgressRhythm chosen; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+bool can_change_lines()
+{
+    const char* const terminal = std::getenv("TERM"); // NOLINT(concurrency-mt-unsafe)
+    const std::string_view name = terminal == nullptr ? "" : terminal;
+    return isatty(STDERR_FILENO) != 0 && !name.empty() && name != "dumb";
+}
+
+/// Characters that fit into a line of the terminal; a full one would begin the next.
+std::size_t line_width()
+{
+    winsize size{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+    return known ? size.ws_col - 1U : 79U;
+}
+
+double seconds_between(bool in_place)
+{
+    constexpr double on_terminal = 0.2;
+    constexpr double elsewhere = 30;
+    return chosen.seconds.value_or(in_place ? on_terminal : elsewhere);
+}
+
+} // namespace
+
+void Progress::set_rhythm(const ProgressRhythm& rhythm)
+{
+    chosen = rhythm;
+}
 
 Progress::Progress(std::string unit, std::int64_t first, std::int64_t all)
-    : unit_(std::move(unit)), first_(first), all_(all), terminal_(isatty(STDERR_FILENO) != 0), last_(start_)
+    : unit_(std::move(unit)), first_(first), all_(all), quiet_(chosen.quiet),
+      in_place_(can_change_lines() && !chosen.seconds), interval_(seconds_between(in_place_)), last_(start_)
 {
 }
 
 Progress::~Progress()
 {
-    if (shown_) {
+    if (shown_ && in_place_) {
         std::fputs("\r\033[K", stderr);
     }
 }
@@ -26,21 +63,33 @@ double Progress::per_second(std::int64_t done) const
     return elapsed.count() > 0 ? static_cast<double>(done - first_) / elapsed.count() : 0;
 }
 
+std::string Progress::line(std::int64_t done, std::string_view remark) const
+{
+    const double rate = per_second(done);
+    const auto left = rate > 0 ? static_cast<long>(static_cast<double>(all_ - done) / rate) : 0;
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(),
+                  "%s %lld of %lld (%lld %%), %.1f %ss/s, %ld:%02ld:%02ld left, %.*s", unit_.c_str(),
+                  static_cast<long long>(done), static_cast<long long>(all_),
+                  static_cast<long long>(all_ > 0 ? 100 * done / all_ : 100), rate, unit_.c_str(),
+                  left / 3600, left / 60 % 60, left % 60, static_cast<int>(remark.size()), remark.data());
+    return text.data();
+}
+
 void Progress::show(std::int64_t done, std::string_view remark)
 {
-    constexpr std::chrono::milliseconds interval{200};
     const auto now = Clock::now();
-    if (!terminal_ || now - last_ < interval) {
+    if (quiet_ || now - last_ < interval_) {
         return;
     }
     last_ = now;
     shown_ = true;
-    const double rate = per_second(done);
-    const auto left = rate > 0 ? static_cast<long>(static_cast<double>(all_ - done) / rate) : 0;
-    std::fprintf(stderr, "\r%s %lld of %lld (%lld %%), %.1f %ss/s, %ld:%02ld:%02ld left, %.*s\033[K",
-                 unit_.c_str(), static_cast<long long>(done), static_cast<long long>(all_),
-                 static_cast<long long>(100 * done / all_), rate, unit_.c_str(), left / 3600, left / 60 % 60,
-                 left % 60, static_cast<int>(remark.size()), remark.data());
+    const std::string text = line(done, remark);
+    if (in_place_) {
+        std::fprintf(stderr, "\r%s\033[K", text.substr(0, line_width()).c_str());
+    } else {
+        std::fprintf(stderr, "%s\n", text.c_str());
+    }
     std::fflush(stderr);
 }
 

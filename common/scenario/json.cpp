@@ -33,8 +33,14 @@ class KeyWatch
 public:
     explicit KeyWatch(const std::string& origin) : origin_(origin) {}
 
-    bool operator()(int, Json::parse_event_t event, const Json& parsed)
+    bool operator()(int depth, Json::parse_event_t event, const Json& parsed)
     {
+        constexpr int deepest = 100; // what recursion over the values can stand
+        if (depth > deepest) {
+            throw InputError(place(origin_, path()),
+                             "nested deeper than " + std::to_string(deepest) + " levels",
+                             "allowed: the keys of a scenario");
+        }
         if (event == Json::parse_event_t::object_start) {
             open_.emplace_back();
         } else if (event == Json::parse_event_t::object_end) {
@@ -132,7 +138,8 @@ private:
 
     void read(const Field& field, const Json& value, std::int64_t& member) const
     {
-        if (!value.is_number_integer()) {
+        const bool whole = value.is_number_float() && std::trunc(value.get<double>()) == value.get<double>();
+        if (!value.is_number_integer() && !whole) { // 3e3 and 20.0 are integers, as JSON Schema has it
             refuse(field, "not an integer", value, describe(field.range, true));
         }
         const bool too_large = value.is_number_unsigned() &&
@@ -140,7 +147,7 @@ private:
         if (too_large || !field.range.contains(value.get<double>())) {
             refuse(field, "out of range", value, describe(field.range, true));
         }
-        member = value.get<std::int64_t>();
+        member = value.get<std::int64_t>(); // exact: ranges end far below 2^53
     }
 
     void read(const Field& field, const Json& value, std::string& member) const

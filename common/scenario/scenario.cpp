@@ -29,30 +29,40 @@ void refuse_missing(const std::set<std::string>& present, Scenario& scenario, co
     });
 }
 
+/// Where a scenario's base is: relative to its file; to the working directory when it comes from a pipe.
+fs::path base_of(const fs::path& file, const Json& json, const std::string& origin)
+{
+    const auto name = json["base"].get<std::string>();
+    if (name.empty() || name.find('\0') != std::string::npos) {
+        throw InputError(fields::place(origin, "base"),
+                         "no name of a file (" + fields::shown(json["base"]) + ")",
+                         "allowed: a scenario file, relative to this one");
+    }
+    std::error_code unused;
+    return fs::is_regular_file(file, unused) ? file.parent_path() / name : fs::path(name);
+}
+
 /// `chain`: the files that are being read, each the base of the one before.
 void read_onto(const fs::path& file, std::vector<fs::path>& chain, Scenario& scenario,
                std::set<std::string>& present)
 {
     const std::string origin = file.string();
-    const Json json = fields::parse_strictly(read_text(file, "needed: a readable scenario file"), origin);
-    chain.push_back(fs::weakly_canonical(file));
+    const Json json =
+        fields::parse_strictly(read_text(file, "needed: a readable scenario file", most_text), origin);
+    chain.push_back(file);
     if (json.is_object() && json.contains("base") && json["base"].is_string()) {
-        const fs::path base = file.parent_path() / fs::path(json["base"].get<std::string>());
-        if (std::find(chain.begin(), chain.end(), fs::weakly_canonical(base)) != chain.end()) {
+        const fs::path base = base_of(file, json, origin);
+        if (std::ranges::any_of(chain, [&base](const fs::path& known) { return same_file(known, base); })) {
             throw InputError(fields::place(origin, "base"),
                              "files build on one another in a circle (" + fields::shown(json["base"]) + ")",
                              "allowed: a file that doesn't lead back here");
         }
-        try {
-            read_onto(base, chain, scenario, present);
-        } catch (const InputError&) {
-            if (std::error_code unused; !fs::exists(base, unused)) {
-                throw InputError(fields::place(origin, "base"),
-                                 "no such file (" + fields::shown(json["base"]) + ")",
-                                 "allowed: a scenario file, relative to this one");
-            }
-            throw;
+        if (!is_there(base)) {
+            throw InputError(fields::place(origin, "base"),
+                             "no such file (" + fields::shown(json["base"]) + ")",
+                             "allowed: a scenario file, relative to this one");
         }
+        read_onto(base, chain, scenario, present);
     }
     fields::apply(json, origin, scenario, present);
 }

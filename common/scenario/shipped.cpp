@@ -70,10 +70,10 @@ std::vector<fs::path> homes()
     const fs::path program = fs::read_symlink("/proc/self/exe", no_proc);
     if (!no_proc) {
         const fs::path folder = program.parent_path();
-        places.push_back((folder / ANEURYSM_SHARE).lexically_normal());
+        places.push_back((folder / installed_share()).lexically_normal());
         places.push_back(folder.parent_path().parent_path().parent_path()); // of PROJECT/build/PRESET/bin
     }
-    places.emplace_back(ANEURYSM_SOURCES);
+    places.emplace_back(project_sources());
     places.emplace_back(".");
     return places;
 }

@@ -26,6 +26,11 @@ void require_data();
 /// \throws InputError when it isn't there
 std::filesystem::path shipped_script(const std::string& name);
 
+/// Where an installation has it, relative to its programs' folder.
+const char* installed_share();
+/// The folder of the sources that this was built from.
+const char* project_sources();
+
 /// data/scenarios/NAME.json. \throws InputError
 Scenario shipped_scenario(const std::string& name);
 

@@ -151,6 +151,13 @@ private:
         check_cells(d.cells_x, !round);
         check_cells(d.cells_y, d.form == DomainForm::box || d.form == DomainForm::tube);
         check_cells(d.cells_z, !round);
+        // Of a round form half of the lattice at least is blood, of the others all.
+        const double lattice =
+            static_cast<double>(d.cells_x) * static_cast<double>(d.cells_y) * static_cast<double>(d.cells_z);
+        require(lattice / 2 <= static_cast<double>(s_.particles.count), d.cells_x,
+                "more cells than particles.count has particles",
+                "domain.cells_x * cells_y * cells_z up to particles.count (" +
+                    std::to_string(s_.particles.count) + ")");
         require(!round || d.cells_x == d.cells_z, d.cells_z, "not as many as across",
                 "domain.cells_x (" + std::to_string(d.cells_x) + ") for a " + name);
         require(!open || s_.fluid.gravity_cycle_s == 0, s_.fluid.gravity_cycle_s,

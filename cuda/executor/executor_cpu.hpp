@@ -2,10 +2,9 @@
 #pragma once
 
 #include "common/backend.hpp"
+#include "common/parallel.hpp"
 #include "cuda/executor/executor.hpp"
 #include "cuda/executor/team.hpp"
-
-#include <sched.h>
 
 #include <algorithm>
 #include <chrono>
@@ -29,9 +28,9 @@ class CpuExecutor
 public:
     static constexpr Backend backend = Backend::cpu;
 
-    /// `threads` 0: as many as the process may use cores.
+    /// `threads` 0: as many as pay. Fewer where the system gives fewer.
     explicit CpuExecutor(int threads)
-        : team_(std::make_unique<Team>(threads > 0 ? threads : available_cores()))
+        : team_(std::make_unique<Team>(startable_threads(thread_count(threads))))
     {
     }
 
@@ -192,14 +191,6 @@ private:
     static constexpr Index elements_a_chunk = 1024; ///< at least
     static constexpr Index groups_a_chunk = 128;    ///< at least
     static constexpr Index chunks_a_thread = 16;    ///< of a loop, at most
-
-    static int available_cores()
-    {
-        cpu_set_t cores;
-        CPU_ZERO(&cores);
-        const bool known = sched_getaffinity(0, sizeof cores, &cores) == 0;
-        return known ? std::max(CPU_COUNT(&cores), 1) : 1;
-    }
 
     /// f(i) for each i below n, at least `least` of them in a chunk.
     template <class F>
