@@ -3,12 +3,16 @@
 
 #include "common/error.hpp"
 #include "common/file.hpp"
+#include "common/process/interrupt.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fcntl.h>
-#include <sys/file.h>
+#include <iterator>
 #include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -47,12 +51,13 @@ bool write_all(int descriptor, std::string_view bytes)
 class Temporary
 {
 public:
-    explicit Temporary(const fs::path& final_name)
-        : final_(final_name), path_(final_name.string() + ".tmp"),
-          descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666))
+    /// \param mode  of the file that is replaced, or what umask leaves of 0666
+    Temporary(const fs::path& final_name, std::optional<mode_t> mode)
+        : final_(final_name), path_(name_beside(final_name)),
+          descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666))
     {
-        if (descriptor_ < 0) {
-            fail_write(final_);
+        if (descriptor_ >= 0 && mode) {
+            static_cast<void>(::fchmod(descriptor_, *mode));
         }
     }
     ~Temporary()
@@ -67,27 +72,115 @@ public:
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
+    bool made() const { return descriptor_ >= 0; }
     void write(std::string_view bytes) const
     {
         if (!write_all(descriptor_, bytes)) {
             fail_write(final_);
         }
     }
-    void keep()
+    /// \return whether it has the file's name; errno says why not
+    bool keep()
     {
-        if (::fsync(descriptor_) != 0 || ::close(std::exchange(descriptor_, -1)) != 0 ||
-            std::rename(path_.c_str(), final_.c_str()) != 0) {
+        if (::fsync(descriptor_) != 0 || ::close(std::exchange(descriptor_, -1)) != 0) {
             fail_write(final_);
         }
-        kept_ = true;
+        kept_ = std::rename(path_.c_str(), final_.c_str()) == 0;
+        return kept_;
     }
 
 private:
+    static fs::path name_beside(const fs::path& file)
+    {
+        constexpr std::size_t longest = 255;
+        const std::string name = file.filename().string() + ".tmp";
+        return file.parent_path() / (name.size() > longest ? ".aneurysm.tmp" : name);
+    }
+
     fs::path final_;
     fs::path path_;
     int descriptor_;
     bool kept_ = false;
 };
+
+/// A descriptor that is closed at the end.
+class Descriptor
+{
+public:
+    explicit Descriptor(int number) : number_(number) {}
+    ~Descriptor()
+    {
+        if (number_ >= 0) {
+            ::close(number_);
+        }
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int number() const { return number_; }
+
+private:
+    int number_;
+};
+
+/// What a name leads to, links followed; it needn't be there. \throws fs::filesystem_error for a ring of links
+fs::path target_of(fs::path file)
+{
+    constexpr int most_links = 40;
+    for (int k = 0; k < most_links && fs::is_symlink(fs::symlink_status(file)); ++k) {
+        const fs::path to = fs::read_symlink(file);
+        file = to.is_absolute() ? to : file.parent_path() / to;
+    }
+    return file;
+}
+
+/// Standard output or error, when the file is that; else -1.
+int standard_descriptor(const struct stat& file)
+{
+    for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+        struct stat own {
+        };
+        if (::fstat(descriptor, &own) == 0 && own.st_dev == file.st_dev && own.st_ino == file.st_ino) {
+            return descriptor;
+        }
+    }
+    return -1;
+}
+
+/// A pipe without a reader is waited for, until somebody presses Ctrl-C.
+int open_pipe(const fs::path& file)
+{
+    while (true) {
+        const int descriptor = ::open(file.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor >= 0) {
+            ::fcntl(descriptor, F_SETFL, O_WRONLY);
+            return descriptor;
+        }
+        if (errno != ENXIO || InterruptWatch::interrupted()) {
+            return -1;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+}
+
+/// Whether errno says that a file can't be replaced where it is, though it may be written: it lies in a folder that may not
+/// be, or is mounted by itself. Not that the disk is full, which would cost the old file.
+bool is_fixed_there()
+{
+    return errno == EACCES || errno == EPERM || errno == EROFS || errno == EBUSY || errno == EXDEV;
+}
+
+/// Into what is there: a device, a pipe, an own descriptor, or a file that can't be replaced.
+void write_into(const fs::path& file, const struct stat& status, std::string_view bytes)
+{
+    const int own = standard_descriptor(status);
+    const Descriptor opened(own >= 0 ? ::dup(own)
+                            : S_ISFIFO(status.st_mode)
+                                ? open_pipe(file)
+                                : ::open(file.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC | O_NOCTTY));
+    if (opened.number() < 0 || !write_all(opened.number(), bytes)) {
+        fail_write(file);
+    }
+}
 
 /// Makes a rename in this directory last; not every file system can, and none needs it to be readable.
 void sync_directory(const fs::path& directory)
@@ -104,10 +197,115 @@ void sync_directory(const fs::path& directory)
 
 void write_atomically(const fs::path& file, std::string_view bytes)
 {
-    Temporary temporary(file);
-    temporary.write(bytes);
-    temporary.keep();
-    sync_directory(file.parent_path());
+    struct stat status {
+    };
+    const bool exists = ::stat(file.c_str(), &status) == 0;
+    if (exists && (!S_ISREG(status.st_mode) || standard_descriptor(status) >= 0)) {
+        write_into(file, status, bytes);
+        return;
+    }
+    const fs::path target = target_of(file);
+    Temporary temporary(target, exists ? std::optional(status.st_mode & 07777) : std::nullopt);
+    bool kept = false;
+    if (temporary.made()) {
+        temporary.write(bytes);
+        kept = temporary.keep();
+    }
+    if (!kept) {
+        if (!exists || !is_fixed_there()) {
+            fail_write(file);
+        }
+        write_into(file, status, bytes);
+    }
+    sync_directory(target.parent_path());
+}
+
+std::string why_not_writable(const fs::path& file)
+{
+    if (!file.has_filename()) {
+        return "no name of a file (" + file.string() + ")";
+    }
+    struct stat status {
+    };
+    if (::stat(file.c_str(), &status) == 0) {
+        if (S_ISDIR(status.st_mode)) {
+            return "a directory (" + file.string() + ")";
+        }
+        return ::access(file.c_str(), W_OK) == 0 ? "" : reason() + " (" + file.string() + ")";
+    }
+    if (errno != ENOENT) {
+        return reason() + " (" + file.string() + ")";
+    }
+    const fs::path target = target_of(file);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    if (std::error_code unused; !fs::is_directory(folder, unused)) {
+        return "no such directory (" + folder.string() + ")";
+    }
+    return ::access(folder.c_str(), W_OK | X_OK) == 0 ? "" : reason() + " (" + folder.string() + ")";
+}
+
+fs::path plain(const fs::path& directory)
+{
+    fs::path path = directory;
+    if (std::ranges::find(path, "..") != path.end()) {
+        std::error_code error;
+        const fs::path known = fs::weakly_canonical(path, error);
+        path = error ? path.lexically_normal() : known;
+    }
+    while (!path.has_filename() && path.has_relative_path()) {
+        path = path.parent_path();
+    }
+    return path;
+}
+
+NewDirectory::NewDirectory(fs::path directory, Allowed allowed)
+{
+    directory = plain(directory);
+    const auto fail = [&](const std::string& why) {
+        throw InputError(directory.string(), "output directory cannot be made (" + why + ")",
+                         "needed: a name that doesn't exist yet, in a writable place, or --resume");
+    };
+    if (directory.empty()) {
+        fail("empty name");
+    }
+    std::vector<fs::path> missing;
+    for (fs::path path = directory; !path.empty() && !is_there(path); path = path.parent_path()) {
+        missing.push_back(path);
+    }
+    std::error_code error;
+    if (missing.empty() && allowed == Allowed::nothing) {
+        fail("it exists");
+    }
+    if (missing.empty() && !(fs::is_directory(directory, error) && fs::is_empty(directory, error))) {
+        throw InputError(directory.string(), "output directory exists and isn't empty",
+                         "needed: another --out");
+    }
+    for (auto path = missing.rbegin(); path != missing.rend(); ++path) {
+        const bool made = fs::create_directory(*path, error);
+        if (made) {
+            made_.push_back(*path);
+        }
+        // Another process may make a parent at the same time, but not the directory itself.
+        if (error || (!made && std::next(path) == missing.rend())) {
+            const std::string why = error ? error.message() : "it exists";
+            remove();
+            fail(why);
+        }
+    }
+}
+
+NewDirectory::~NewDirectory()
+{
+    remove();
+}
+
+/// Only what is empty: others may have put something there.
+void NewDirectory::remove()
+{
+    for (auto path = made_.rbegin(); path != made_.rend(); ++path) {
+        ::rmdir(path->c_str());
+    }
+    made_.clear();
 }
 
 LineFile::LineFile(fs::path file, Mode mode)
@@ -121,19 +319,18 @@ LineFile::LineFile(fs::path file, Mode mode)
     if (descriptor_ < 0) {
         fail(reason());
     }
-    struct stat status {
-    };
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 || ::fstat(descriptor_, &status) != 0) {
-        const bool locked = errno == EWOULDBLOCK;
-        const std::string why = reason();
-        ::close(std::exchange(descriptor_, -1));
-        if (locked) {
-            throw InputError(file_.string(), "another run writes here",
-                             "needed: wait for it, or another --out");
+    try {
+        lock_.emplace(file_);
+        struct stat status {
+        };
+        if (::fstat(descriptor_, &status) != 0) {
+            fail(reason());
         }
-        fail(why);
+        size_ = status.st_size;
+    } catch (const Error&) {
+        ::close(std::exchange(descriptor_, -1));
+        throw;
     }
-    size_ = status.st_size;
 }
 
 LineFile::~LineFile()
@@ -144,7 +341,8 @@ LineFile::~LineFile()
 }
 
 LineFile::LineFile(LineFile&& other) noexcept
-    : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_)
+    : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_),
+      lock_(std::move(other.lock_))
 {
 }
 

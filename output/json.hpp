@@ -33,14 +33,32 @@ Json json_array(const Range& range, const F& f)
     return array;
 }
 
-/// \throws InputError with `advice` for a file that isn't there or no JSON
+/// What `read` makes of a file of ours. \throws InputError with `advice` for a file that isn't there, no JSON, nested as
+/// none of ours is, or with other types than `read` takes for granted
+template <class Read>
+auto read_json_as(const std::filesystem::path& file, const std::string& advice, const Read& read)
+{
+    const auto fail = [&](const std::string& why) {
+        throw InputError(file.string(), "not as it was written (" + why + ")", advice);
+    };
+    const auto watch = [&](int depth, Json::parse_event_t, const Json&) {
+        constexpr int deepest = 100; // what recursion over it can stand
+        if (depth > deepest) {
+            fail("nested deeper than " + std::to_string(deepest) + " levels");
+        }
+        return true;
+    };
+    try {
+        return read(Json::parse(read_text(file), watch));
+    } catch (const nlohmann::json::exception& error) {
+        fail(error.what());
+        throw; // not reached
+    }
+}
+
 inline Json read_json(const std::filesystem::path& file, const std::string& advice)
 {
-    try {
-        return Json::parse(read_text(file));
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(file.string(), std::string("not as it was written (") + error.what() + ")", advice);
-    }
+    return read_json_as(file, advice, [](Json json) { return json; });
 }
 
 inline std::string json_text(const Json& json)

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/provenance.hpp"
 
+#include "common/parallel.hpp"
+#include "common/text.hpp"
 #include "output/build_info.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
+#include <link.h>
 #include <sys/utsname.h>
-#include <thread>
+#include <vector>
 
 namespace aneurysm::output
 {
@@ -29,7 +35,68 @@ std::string processor()
     return "unknown processor";
 }
 
+/// The first line of a file; empty where there is none.
+std::string first_line(const char* file)
+{
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    return line;
+}
+
+/// As it would be typed.
+std::string command_line()
+{
+    std::ifstream file("/proc/self/cmdline", std::ios::binary);
+    std::vector<std::string> words;
+    for (std::string word; std::getline(file, word, '\0');) {
+        words.push_back(shell_word(word));
+    }
+    return joined(words, " ");
+}
+
+/// Of a batch system; empty outside.
+std::string batch_job()
+{
+    for (const char* variable : {"SLURM_JOB_ID", "PBS_JOBID", "LSB_JOBID", "JOB_ID"}) {
+        if (const char* const id = std::getenv(variable)) { // NOLINT(concurrency-mt-unsafe)
+            return std::string(variable) + "=" + id;
+        }
+    }
+    return "";
+}
+
+/// The files of the shared libraries that the program runs with; their names carry the versions.
+std::vector<std::string> libraries()
+{
+    std::vector<std::string> names;
+    const auto add = [](dl_phdr_info* library, std::size_t, void* list) {
+        std::error_code error;
+        const std::filesystem::path file = std::filesystem::canonical(library->dlpi_name, error);
+        if (!error) { // the program itself has no name, and what the kernel brings no file
+            static_cast<std::vector<std::string>*>(list)->push_back(file.filename().string());
+        }
+        return 0;
+    };
+    dl_iterate_phdr(add, &names);
+    std::ranges::sort(names);
+    return names;
+}
+
+std::string host()
+{
+    utsname system{};
+    return uname(&system) == 0 ? system.nodename : "unknown";
+}
+
 } // namespace
+
+nlohmann::ordered_json surroundings()
+{
+    const std::string driver = first_line("/proc/driver/nvidia/version");
+    return {{"host", host()},       {"job", batch_job()},       {"command", command_line()},
+            {"machine", machine()}, {"libraries", libraries()}, {"driver", driver.empty() ? "none" : driver}};
+}
 
 nlohmann::ordered_json provenance()
 {
@@ -56,7 +123,7 @@ std::string machine()
     utsname system{};
     const bool known = uname(&system) == 0;
     const std::string os = known ? std::string(system.sysname) + " " + system.machine : "unknown system";
-    return processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads, " + os;
+    return processor() + ", " + std::to_string(paying_threads()) + " threads, " + os;
 }
 
 } // namespace aneurysm::output

@@ -12,6 +12,9 @@ namespace aneurysm::output
 /// Program, version, commit, compiler, flags.
 nlohmann::ordered_json provenance();
 
+/// Where and how this process runs: host, batch job, command line, threads that pay, versions of the libraries, GPU driver.
+nlohmann::ordered_json surroundings();
+
 /// Now, as in 2025-07-24T13:05:00Z.
 std::string now_utc();
 

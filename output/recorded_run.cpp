@@ -3,7 +3,6 @@
 
 #include "common/error.hpp"
 #include "output/frames.hpp"
-#include "output/json.hpp"
 #include "output/run_directory.hpp"
 
 #include <algorithm>
@@ -16,16 +15,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-Scenario read_manifest_scenario(const fs::path& file)
-{
-    const std::string advice = "needed: an undamaged run directory";
-    const Json manifest = read_json(file, advice);
-    if (!manifest.contains("scenario")) {
-        throw InputError(file.string(), "not as it was written (no scenario)", advice);
-    }
-    return parse_scenario(manifest["scenario"].dump(), file.string() + ": scenario");
-}
 
 /// "0, 100, 200, ..., 3000": all of a few, the first and the last of many.
 std::string list_of(const std::vector<std::int64_t>& frames)
@@ -45,8 +34,7 @@ std::string list_of(const std::vector<std::int64_t>& frames)
 } // namespace
 
 RecordedRun::RecordedRun(fs::path directory)
-    : directory_(std::move(directory)),
-      scenario_(read_manifest_scenario(RunDirectory::manifest_file(directory_))),
+    : directory_(std::move(directory)), scenario_(RunDirectory::scenario(directory_)),
       records_(read_frames(RunDirectory::frames_file(directory_))),
       particle_frames_(RunDirectory::particle_frames(directory_))
 {

@@ -7,6 +7,8 @@
 #include "output/paraview_script.hpp"
 #include "output/provenance.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 
 namespace aneurysm::output
@@ -21,31 +23,10 @@ constexpr const char* particles = "particles";
 constexpr std::array status_names{"running", "finished", "interrupted", "failed"};
 constexpr const char* undamaged = "needed: an undamaged run directory";
 
-/// Makes the directory and its parents; it must not exist.
-fs::path make_directory(const fs::path& directory)
-{
-    const auto fail = [&directory](const std::string& reason) {
-        throw InputError(directory.string(), "output directory cannot be made (" + reason + ")",
-                         "needed: a name that doesn't exist yet, in a writable place, or --resume");
-    };
-    if (directory.empty()) {
-        fail("empty name");
-    }
-    std::error_code error;
-    if (directory.has_parent_path()) {
-        fs::create_directories(directory.parent_path(), error);
-    }
-    const bool made = !error && fs::create_directory(directory, error);
-    if (error || !made) {
-        fail(error ? error.message() : "it exists");
-    }
-    return directory;
-}
-
 void refuse_other_engine(const Json& manifest, const Engine& engine, const fs::path& file)
 {
     const auto check = [&](const char* key, const std::string& now) {
-        const std::string then = manifest.value(key, "");
+        const auto then = manifest.value(key, std::string());
         if (then != now) {
             throw InputError(file.string() + ": " + key, "the run cannot go on with another (" + now + ")",
                              "needed: " + then);
@@ -60,13 +41,26 @@ void refuse_other_engine(const Json& manifest, const Engine& engine, const fs::p
 Engine RunDirectory::engine(const fs::path& directory)
 {
     const fs::path file = manifest_file(directory);
-    const Json manifest = read_json(file, undamaged);
-    const auto backend = value_of<Backend>(manifest.value("backend", ""), backend_names);
-    const auto precision = value_of<Precision>(manifest.value("precision", ""), precision_names);
-    if (!backend || !precision) {
-        throw InputError(file.string(), "names no backend and precision of this version", undamaged);
-    }
-    return {*backend, *precision, manifest.value("device", "")};
+    return read_json_as(file, undamaged, [&file](const Json& manifest) -> Engine {
+        const auto word = [&manifest](const char* key) { return manifest.value(key, std::string()); };
+        const auto backend = value_of<Backend>(word("backend"), backend_names);
+        const auto precision = value_of<Precision>(word("precision"), precision_names);
+        if (!backend || !precision) {
+            throw InputError(file.string(), "names no backend and precision of this version", undamaged);
+        }
+        return {*backend, *precision, word("device")};
+    });
+}
+
+Scenario RunDirectory::scenario(const fs::path& directory)
+{
+    const fs::path file = manifest_file(directory);
+    return read_json_as(file, undamaged, [&file](const Json& manifest) {
+        if (!manifest.is_object() || !manifest.contains("scenario")) {
+            throw InputError(file.string(), "not as it was written (no scenario)", undamaged);
+        }
+        return parse_scenario(manifest["scenario"].dump(), file.string() + ": scenario");
+    });
 }
 
 fs::path RunDirectory::checkpoint_file(const fs::path& directory)
@@ -101,17 +95,20 @@ RunDirectory::RunDirectory(fs::path directory, Scenario scenario, Engine engine,
 
 RunDirectory RunDirectory::create(const fs::path& directory, const Scenario& scenario, const Engine& engine)
 {
-    const fs::path made = make_directory(directory);
+    const fs::path place = plain(directory);
+    NewDirectory made(place, NewDirectory::Allowed::nothing);
     try {
-        RunDirectory run(made, scenario, engine, LineFile::Mode::create);
+        RunDirectory run(place, scenario, engine, LineFile::Mode::create);
         run.frames_.append(frames_header());
         run.hashes_.append(hashes_header());
-        write_atomically(made / "show_in_paraview.py", paraview_script());
+        write_atomically(place / "show_in_paraview.py", paraview_script());
+        run.take_makers(Json::object(), 0);
         run.write_manifest(RunStatus::running, "");
+        made.keep();
         return run;
     } catch (const Error&) {
         std::error_code unused;
-        fs::remove_all(made, unused); // nothing was in it yet
+        fs::remove_all(place, unused); // nothing was in it yet
         throw;
     }
 }
@@ -120,21 +117,57 @@ RunDirectory RunDirectory::resume(const fs::path& directory, const Checkpoint& c
                                   const Engine& engine)
 {
     const fs::path file = manifest_file(directory);
-    const Json manifest = read_json(file, undamaged);
-    refuse_other_engine(manifest, engine, file);
-    RunDirectory run(directory, checkpoint.scenario, engine, LineFile::Mode::append);
+    RunDirectory run = read_json_as(file, undamaged, [&](const Json& manifest) {
+        refuse_other_engine(manifest, engine, file);
+        RunDirectory gone_on(directory, checkpoint.scenario, engine, LineFile::Mode::append);
+        gone_on.started_ = manifest.value("started", gone_on.started_);
+        gone_on.resumed_at_ = manifest.value("resumed_at_frames", gone_on.resumed_at_);
+        gone_on.take_makers(manifest, checkpoint.state.frame);
+        return gone_on;
+    });
     const auto rows = static_cast<std::size_t>(checkpoint.state.frame);
     run.frames_.keep(1 + rows);
     run.hashes_.keep(1 + rows);
     run.particles_.go_back(checkpoint.state.frame);
     run.walls_.go_back(checkpoint.state.frame);
-    run.started_ = manifest.value("started", run.started_);
-    run.resumed_at_ = manifest.value("resumed_at_frames", run.resumed_at_);
     run.resumed_at_.push_back(checkpoint.state.frame);
     run.frame_ = checkpoint.state.frame;
     run.state_hash_ = state_hash(checkpoint.state);
     run.write_manifest(RunStatus::running, "");
     return run;
+}
+
+/// Who made the frames up to `frame`, by the manifest, and this program for those after it.
+void RunDirectory::take_makers(const Json& manifest, std::int64_t frame)
+{
+    Json then = manifest.value("made_by", Json::array());
+    if (then.empty() && frame > 0) { // of a version that kept no list
+        then.push_back({{"after_frame", 0}});
+        for (const char* key : {"version", "commit", "compiler", "flags", "device"}) {
+            then.back()[key] = manifest.value(key, std::string());
+        }
+    }
+    const Json now = provenance();
+    makers_ = std::make_shared<Json>(Json::array());
+    for (const Json& maker : then) {
+        if (maker.value("after_frame", std::int64_t{0}) >= frame) {
+            continue; // it made none of these frames
+        }
+        makers_->push_back(maker);
+        const auto word = [&maker](const char* key) { return maker.value(key, std::string()); };
+        if (word("version") != now["version"] || word("commit") != now["commit"] ||
+            word("compiler") != now["compiler"]) {
+            others_ += (others_.empty() ? "" : "; ") +
+                       ("frames after " + std::to_string(maker.value("after_frame", std::int64_t{0}))) +
+                       " by version " + word("version") + ", commit " + word("commit") + ", " +
+                       word("compiler");
+        }
+    }
+    Json mine{{"after_frame", frame}};
+    mine.update(now);
+    mine["device"] = engine_.device;
+    mine.update(surroundings());
+    makers_->push_back(mine);
 }
 
 void RunDirectory::append(const FrameRecord& record, const SimulationState& state)
@@ -181,6 +214,7 @@ void RunDirectory::write_manifest(RunStatus status, const std::string& message) 
     json["resumed_at_frames"] = resumed_at_;
     json["status"] = status_names.at(static_cast<std::size_t>(status));
     json["message"] = message;
+    json["made_by"] = *makers_;
     json["frames"] = frame_;
     json["state_hash"] = state_hash_;
     json["frame_hashes"] = hashes_name;

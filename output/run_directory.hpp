@@ -8,6 +8,9 @@
 #include "output/vtk.hpp"
 #include "output/wall_mesh.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,6 +44,8 @@ public:
     static RunDirectory resume(const std::filesystem::path& directory, const Checkpoint& checkpoint,
                                const Engine& engine);
 
+    /// What a run simulates. \throws InputError for a manifest that isn't as it was written
+    static Scenario scenario(const std::filesystem::path& directory);
     /// Who computed a run. \throws InputError for a manifest that isn't as it was written
     static Engine engine(const std::filesystem::path& directory);
 
@@ -53,6 +58,8 @@ public:
 
     /// Frames whose rows are complete.
     std::int64_t frames() const { return frame_; }
+    /// Who else made frames of this run, when that was another program than this one; else empty.
+    const std::string& others() const { return others_; }
 
     /// A row of frames.csv and of hashes.csv; `state` is that after the frame.
     void append(const FrameRecord& record, const SimulationState& state);
@@ -67,6 +74,7 @@ private:
     RunDirectory(std::filesystem::path directory, Scenario scenario, Engine engine, LineFile::Mode mode);
 
     void write_manifest(RunStatus status, const std::string& message) const;
+    void take_makers(const nlohmann::ordered_json& manifest, std::int64_t frame);
 
     std::filesystem::path directory_;
     Scenario scenario_;
@@ -79,6 +87,9 @@ private:
     std::vector<std::int64_t> resumed_at_; ///< frames
     std::int64_t frame_ = 0;
     std::string state_hash_; ///< of the last checkpoint
+    std::shared_ptr<nlohmann::ordered_json>
+        makers_; ///< one entry for each program that made frames, see docs/output.md
+    std::string others_;
 };
 
 } // namespace aneurysm::output

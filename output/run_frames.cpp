@@ -2,6 +2,7 @@
 #include "output/run_frames.hpp"
 
 #include "common/error.hpp"
+#include "common/exception.hpp"
 #include "common/process/interrupt.hpp"
 
 #include <string>
@@ -26,11 +27,13 @@ public:
     {
         if (frame() == 0) {
             write_particles(0);
+            written_frame_ = 0;
         }
         while (frame() < frames_ && !InterruptWatch::interrupted()) {
             const FrameRecord record = simulation_.advance();
             directory_.append(record, simulation_.state());
             write_due(record.frame);
+            written_frame_ = record.frame;
             on_frame(record);
         }
         if (frame() >= frames_ && !due(frame(), scenario_.output.particles_every_frames)) {
@@ -41,19 +44,19 @@ public:
     }
 
     /// The run has failed; keep what there is and say why. A second failure (the same full disk) must not
-    /// hide the first. A state whose row didn't make it into frames.csv is none to go on from; the checkpoint
-    /// before it is.
+    /// hide the first. A state whose row or particles didn't make it onto the disk is none to go on from, since a
+    /// resumed run starts after it; the checkpoint before it is.
     void save_failed(const std::string& message)
     {
         try {
-            if (frame() == directory_.frames()) {
+            if (frame() == directory_.frames() && frame() == written_frame_) {
                 save_state();
             }
-        } catch (const Error&) { // NOLINT(bugprone-empty-catch)
+        } catch (const std::exception&) { // NOLINT(bugprone-empty-catch)
         }
         try {
             directory_.close(RunStatus::failed, message);
-        } catch (const Error&) { // NOLINT(bugprone-empty-catch)
+        } catch (const std::exception&) { // NOLINT(bugprone-empty-catch)
         }
     }
 
@@ -99,6 +102,7 @@ private:
     Simulation& simulation_;
     RunDirectory& directory_;
     std::int64_t saved_frame_ = -1;
+    std::int64_t written_frame_ = -1; ///< all that is due for it is on the disk
 };
 
 } // namespace
@@ -110,8 +114,8 @@ bool run_frames(const Scenario& scenario, const Vessel& vessel, std::int64_t fra
     bool complete = false;
     try {
         complete = loop.run(on_frame);
-    } catch (const Error& error) {
-        loop.save_failed(error.what());
+    } catch (const std::exception& error) {
+        loop.save_failed(text_of(error));
         throw;
     }
     directory.close(complete ? RunStatus::finished : RunStatus::interrupted,

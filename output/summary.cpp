@@ -29,14 +29,31 @@ struct Totals {
     std::int64_t settled_frames = 0; ///< after the warm-up
     std::int64_t outside = 0;        ///< most particles beyond the wall before rupture
     std::int64_t rupture_frame = -1;
-    bool constant = true; ///< the number of particles
+    std::int64_t unsolved = 0;       ///< frames, in all of the run
+    std::int64_t unsolved_whole = 0; ///< of those, before the wall ruptured
+    std::int64_t first_unsolved = 0; ///< frame
+    std::int64_t uncorrected = 0;    ///< frames whose correction of the density ended by its limit
+    bool constant = true;            ///< the number of particles
 };
+
+/// Counts the frames whose solves were ended by their limits.
+void count_unsolved(const Scenario& scenario, const FrameRecord& r, Totals& t)
+{
+    if (!is_solved(scenario, r)) {
+        t.first_unsolved = t.unsolved == 0 ? r.frame : t.first_unsolved;
+        ++t.unsolved;
+        t.unsolved_whole += r.phase == Phase::ruptured ? 0 : 1;
+    }
+    const std::int64_t limit = scenario.pressure.correction_max_iterations * scenario.time.substeps;
+    t.uncorrected += r.corrections >= limit && scenario.pressure.model == PressureModel::dfsph ? 1 : 0;
+}
 
 Totals totals_of(const Scenario& scenario, const std::vector<FrameRecord>& records)
 {
     Totals t;
     for (const FrameRecord& r : records) {
         t.constant = t.constant && r.total == scenario.particles.count;
+        count_unsolved(scenario, r, t);
         if (r.phase == Phase::ruptured) {
             t.rupture_frame = t.rupture_frame < 0 ? r.frame : t.rupture_frame;
         } else {
@@ -162,7 +179,32 @@ std::string error_lines(const Scenario& scenario, const Totals& t)
     return text.str();
 }
 
+/// What the summary has to shout: pressures that are none.
+std::string unsolved_lines(const Scenario& scenario, const Totals& t, std::int64_t frames)
+{
+    std::ostringstream text;
+    if (t.unsolved > 0) {
+        text << "  NOT SOLVED     (3) in " << t.unsolved << " of " << frames << " frames, from frame "
+             << t.first_unsolved << " on, " << t.unsolved_whole
+             << " of them before the wall ruptured: pressure.max_iterations ("
+             << scenario.pressure.max_iterations << ") ended the solve; raise it\n";
+    }
+    if (t.uncorrected > 0) {
+        text << "  density        corrected only in part in " << t.uncorrected << " of " << frames
+             << " frames: pressure.correction_max_iterations (" << scenario.pressure.correction_max_iterations
+             << ") ended it\n";
+    }
+    return text.str();
+}
+
 } // namespace
+
+bool is_solved(const Scenario& scenario, const FrameRecord& record)
+{
+    const auto& p = scenario.pressure;
+    return p.model != PressureModel::dfsph ||
+           (record.residual_mean <= p.tolerance_per_s && record.residual_max <= p.max_tolerance_per_s);
+}
 
 std::string summary(const Scenario& scenario, const std::vector<FrameRecord>& records)
 {
@@ -179,6 +221,7 @@ std::string summary(const Scenario& scenario, const std::vector<FrameRecord>& re
     if (t.settled_frames > 0) {
         text << error_lines(scenario, t);
     }
+    text << unsolved_lines(scenario, t, last.frame);
     return text.str();
 }
 

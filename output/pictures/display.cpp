@@ -14,10 +14,11 @@ namespace aneurysm::pictures
 namespace
 {
 
-/// Prints the number of its display once it is ready, and ends when the last that was connected has gone. In
-/// a session of its own, since Ctrl-C is for this program.
-constexpr const char* start_server = "exec setsid Xvfb -displayfd 1 -screen 0 640x480x24 -nolisten tcp "
-                                     "-terminate </dev/null 2>/dev/null";
+/// Prints the number of its display once it is ready, and ends when the last that was connected has gone, or when this
+/// program was killed before it was. In a session of its own, since Ctrl-C is for this program.
+constexpr const char* start_server =
+    "exec setsid setpriv --pdeathsig TERM Xvfb -displayfd 1 -screen 0 640x480x24 -nolisten tcp "
+    "-terminate </dev/null 2>/dev/null";
 
 } // namespace
 
