@@ -3,6 +3,7 @@
 
 #include "app/options.hpp"
 #include "common/error.hpp"
+#include "common/file.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
 #include "output/columns.hpp"
@@ -90,7 +91,7 @@ void Comparison::find_oracles()
                                           options_.scenario);
     }
     const std::filesystem::path file = comparison::hash_file(options_.scenario, scenario_, candidate);
-    if (options_.record.empty() && std::filesystem::exists(file)) {
+    if (options_.record.empty() && is_there(file)) {
         recorded_ = comparison::read_hashes(file, scenario_.name, candidate.precision);
     }
     require(!only_records() || !options_.record.empty(), "--mode bits", "there is nothing to compare with",
@@ -158,6 +159,10 @@ int compare(const CompareOptions& options)
 {
     require(options.record.empty() || options.mode == "bits", "--record",
             "mode " + options.mode + " has no hashes", "needed: --mode bits");
+    for (const std::filesystem::path& file : {options.record, options.report}) {
+        require(!same_file(file, options.scenario), file.string(), "is the scenario itself",
+                "needed: another file");
+    }
     Comparison comparison(options);
     const InterruptWatch watch;
     const comparison::ComparisonResult result = comparison.run();
@@ -182,7 +187,7 @@ void add_compare(CLI::App& app, std::optional<int>& code)
 {
     const auto options = std::make_shared<CompareOptions>();
     CLI::App* compare_app = app.add_subcommand("compare", "Compare a backend with the reference");
-    compare_app->add_option("SCENARIO", options->scenario, "scenario file")->required();
+    add_input(*compare_app, "SCENARIO", options->scenario, "scenario file")->required();
     add_backend(*compare_app, options->candidate, "--candidate", "who is compared");
     compare_app->get_option("--candidate")->required();
     add_tuning(*compare_app, options->candidate);
@@ -194,27 +199,31 @@ void add_compare(CLI::App& app, std::optional<int>& code)
             "one thread and recorded ones")
         ->check(CLI::IsMember({"lockstep", "free", "bits"}))
         ->capture_default_str();
-    compare_app
-        ->add_option("--frames", options->frames, "how many to compare (default: up to the scenario's last)")
-        ->check(at_least(1));
-    CLI::Option* from =
-        compare_app->add_option("--from", options->from, "let the candidate come to this frame first")
-            ->check(at_least(0))
-            ->capture_default_str();
-    compare_app->add_option("--ensemble", options->ensemble, "members of the ensemble in mode free")
-        ->check(at_least(3))
-        ->capture_default_str();
-    compare_app->add_option("--record", options->record, "in mode bits: CSV file for the candidate's hashes")
-        ->check(file_in_folder())
+    add_count(*compare_app, "--frames", options->frames,
+              "how many to compare (default: up to the scenario's last)", 1, most_frames);
+    CLI::Option* from = add_count(*compare_app, "--from", options->from,
+                                  "let the candidate come to this frame first", 0, most_frames)
+                            ->default_str("0");
+    add_count(*compare_app, "--ensemble", options->ensemble, "members of the ensemble in mode free", 3,
+              most_at_once)
+        ->default_str("8");
+    add_output_file(*compare_app, "--record", options->record,
+                    "in mode bits: CSV file for the candidate's hashes")
         ->excludes(from);
-    compare_app->add_option("--report", options->report, "JSON file for the result")->check(file_in_folder());
+    add_output_file(*compare_app, "--report", options->report, "JSON file for the result");
+    add_progress(*compare_app);
     compare_app->footer(
         "Examples:\n"
         "  aneurysm compare data/scenarios/quick.json --candidate cpu --precision float --frames 300\n"
         "  aneurysm compare data/scenarios/quick.json --candidate cpu --precision float --mode bits\n"
         "Exit codes: 0 all within its bounds, 1 failed, 2 bad input, 3 something is not within its bounds,\n"
         "130 interrupted.");
-    compare_app->callback([options, &code] { code = compare(*options); });
+    compare_app->callback([compare_app, options, &code] {
+        require(options->mode == "free" || compare_app->count("--ensemble") == 0, "--ensemble",
+                "means nothing to mode " + options->mode, "allowed: with --mode free");
+        settle_tuning(*compare_app, options->candidate);
+        code = compare(*options);
+    });
 }
 
 } // namespace aneurysm::app

@@ -2,7 +2,7 @@
 #include "app/info.hpp"
 
 #include "app/cite.hpp"
-#include "app/exit_codes.hpp"
+#include "app/options.hpp"
 #include "common/equations.hpp"
 #include "common/scenario/limits.hpp"
 #include "common/scenario/shipped.hpp"
@@ -107,17 +107,21 @@ std::string program_info()
          << "  commit    " << build.commit << "\n"
          << "  compiler  " << build.compiler << "\n"
          << "  flags     " << build.flags << "\n"
-         << "  backends\n";
-    std::string reason; // said once, for all that lack the same
+         << "  backends  ";
+    std::string missing;
+    std::string before;
     for (const suite::SuiteSubject& s : suite::make_subjects()) {
-        text << "    " << std::left << std::setw(14) << s.subject.name();
+        const backends::BackendChoice& choice = s.subject.choice;
+        const std::string name = name_of(choice.backend) + " (" + name_of(choice.precision) + ")";
         if (s.missing.empty()) {
-            text << (s.subject.choice.backend == Backend::cuda ? s.device : "here") << "\n";
-        } else {
-            text << "not here" << (s.missing == reason ? ", likewise" : ": " + s.missing) << "\n";
+            text << (before.empty() ? "" : ", ") << name;
+            text << (choice.backend == Backend::cuda ? " on " + s.device : "");
+            before = name;
+        } else if (missing.find(s.missing) == std::string::npos) { // once, for both precisions
+            missing = "            not " + name_of(choice.backend) + ": " + s.missing + "\n";
         }
-        reason = s.missing;
     }
+    text << "\n" << missing;
     return text.str();
 }
 
@@ -154,7 +158,7 @@ std::string scenario_info(const Scenario& scenario)
 void add_info(CLI::App& app, std::optional<int>& code)
 {
     struct InfoOptions {
-        std::string scenario;
+        std::filesystem::path scenario;
         bool schema = false;
         bool cite = false;
         bool data = false;
@@ -162,7 +166,7 @@ void add_info(CLI::App& app, std::optional<int>& code)
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* info =
         app.add_subcommand("info", "Show version and equations, or what follows from a scenario");
-    CLI::Option* scenario = info->add_option("SCENARIO", options->scenario, "scenario file");
+    CLI::Option* scenario = add_input(*info, "SCENARIO", options->scenario, "scenario file");
     CLI::Option* schema =
         info->add_flag("--schema", options->schema, "print the JSON Schema of scenario files")
             ->excludes(scenario);

@@ -36,6 +36,7 @@ int main(int argc, char** argv)
     app.set_version_flag("--version", std::string("aneurysm ") + output::build_info().version);
     app.footer("Example:\n  aneurysm run data/scenarios/quick.json --out results/quick\n"
                "aneurysm SUBCOMMAND --help says more.");
+    app.require_subcommand(0, 1); // what follows may be called like one: aneurysm info run
     std::optional<int> code;
     app::add_run(app, code);
     app::add_compare(app, code);

@@ -6,6 +6,7 @@
 #include "common/process/interrupt.hpp"
 #include "common/scenario/shipped.hpp"
 #include "output/file.hpp"
+#include "output/lock.hpp"
 #include "verification/reproduction/calibrate.hpp"
 #include "verification/reproduction/items.hpp"
 
@@ -99,6 +100,8 @@ int reproduce(const ReproduceOptions& options)
     reproduction::RunStore runs(options.out / "runs", options.backend, options.jobs);
     reproduction::Reproduction reproduction{runs, reproduction::read_data("paper.json"), options.out,
                                             options.seeds, options.first_seed.value_or(1)};
+    fs::create_directories(options.out); // what is in it is used again
+    const output::Lock lock(options.out);
     try {
         if (options.calibrate) {
             const reproduction::Section section = reproduction::calibrate(
@@ -128,23 +131,20 @@ void add_reproduce(CLI::App& app, std::optional<int>& code)
     CLI::App* reproduce_app = app.add_subcommand("reproduce", "Reproduce the paper's tables and figures");
     reproduce_app->add_option("ITEM", options->items, "of the paper (default: all)")
         ->check(CLI::IsMember(words));
-    reproduce_app
-        ->add_option("--out", options->out,
-                     "directory for data, pictures and reproduction.html; its runs are used again")
-        ->capture_default_str();
+    add_directory(*reproduce_app, "--out", options->out,
+                  "directory for data, pictures and reproduction.html; its runs are used again")
+        ->default_str(options->out.string());
     add_backend(*reproduce_app, options->backend);
-    reproduce_app->add_option("--seeds", options->seeds, "members of the ensembles")
-        ->check(at_least(1))
-        ->capture_default_str();
-    reproduce_app
-        ->add_option("--first-seed", options->first_seed,
-                     "of the ensembles (default: 1); with --calibrate of the calibration")
-        ->check(at_least(0));
-    reproduce_app->add_option("--jobs", options->jobs, "runs at once; 0: as many as there are cores")
-        ->check(at_least(0))
-        ->capture_default_str();
-    reproduce_app->add_option("--data", options->data,
-                              "folder of the project's data (default: the shipped one)");
+    constexpr std::int64_t most_seeds = 10'000;
+    add_count(*reproduce_app, "--seeds", options->seeds, "members of the ensembles", 1, most_seeds)
+        ->default_str(std::to_string(options->seeds));
+    add_count(*reproduce_app, "--first-seed", options->first_seed,
+              "of the ensembles (default: 1); with --calibrate of the calibration", 0, most_frames);
+    add_count(*reproduce_app, "--jobs", options->jobs, "runs at once; 0: as many as pay", 0, most_at_once)
+        ->default_str("0");
+    add_input(*reproduce_app, "--data", options->data,
+              "folder of the project's data (default: the shipped one)");
+    add_progress(*reproduce_app);
     reproduce_app->add_flag("--calibrate", options->calibrate,
                             "fit what the paper doesn't give, as data/calibration.json says, instead");
     reproduce_app->footer(

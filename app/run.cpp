@@ -3,8 +3,10 @@
 
 #include "app/options.hpp"
 #include "common/error.hpp"
+#include "common/file.hpp"
 #include "common/process/interrupt.hpp"
 #include "common/process/progress.hpp"
+#include "common/text.hpp"
 #include "output/columns.hpp"
 #include "output/frames.hpp"
 #include "output/run_directory.hpp"
@@ -13,6 +15,7 @@
 #include "reference/bifurcation.hpp"
 #include "verification/backends/make_simulation.hpp"
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <utility>
@@ -32,15 +35,28 @@ struct RunOptions {
     bool has_precision = false;         ///< likewise
     std::optional<std::int64_t> frames; ///< instead of the scenario's
     bool resume = false;
+    bool strict = false; ///< an unconverged solve is an error
 };
 
 /// What to run and from where.
 struct Start {
     Scenario scenario;
     std::filesystem::path out;
-    std::optional<output::Checkpoint> checkpoint;
+    std::optional<SimulationState> state; ///< to go on from
     std::int64_t frames = 0;
 };
+
+/// results/NAME, where the scenario's name is one of a directory.
+std::filesystem::path default_out(const RunOptions& options, const std::string& name)
+{
+    const bool printable =
+        std::ranges::none_of(name, [](unsigned char c) { return c < ' ' || c == '/' || c == 0x7F; });
+    if (name.empty() || name == "." || name == ".." || !printable) {
+        throw InputError(options.scenario.string() + ": name", "no name for a directory (" + name + ")",
+                         "needed: --out DIR, or another name");
+    }
+    return std::filesystem::path("results") / name;
+}
 
 Start fresh_start(const RunOptions& options)
 {
@@ -50,8 +66,8 @@ Start fresh_start(const RunOptions& options)
     }
     Start start;
     start.scenario = read_scenario(options.scenario);
-    start.out = options.out.empty() ? std::filesystem::path("results") / start.scenario.name : options.out;
-    if (std::filesystem::exists(start.out)) {
+    start.out = options.out.empty() ? default_out(options, start.scenario.name) : options.out;
+    if (is_there(start.out)) {
         throw InputError(start.out.string(), "output directory exists",
                          "needed: another --out, or --resume to go on");
     }
@@ -67,8 +83,14 @@ Start resumed_start(const RunOptions& options)
     Start start;
     start.out = options.out;
     const std::filesystem::path file = RunDirectory::checkpoint_file(options.out);
-    start.checkpoint = output::read_checkpoint(file);
-    start.scenario = start.checkpoint->scenario;
+    if (!is_there(file) && is_there(RunDirectory::manifest_file(options.out))) {
+        start.scenario =
+            RunDirectory::scenario(options.out); // killed before the first: once more from frame 0
+    } else {
+        output::Checkpoint checkpoint = output::read_checkpoint(file);
+        start.scenario = std::move(checkpoint.scenario);
+        start.state = std::move(checkpoint.state);
+    }
     if (!options.scenario.empty()) {
         const std::string now = scenario_hash(read_scenario(options.scenario));
         const std::string then = scenario_hash(start.scenario);
@@ -85,26 +107,12 @@ Start make_start(const RunOptions& options)
 {
     Start start = options.resume ? resumed_start(options) : fresh_start(options);
     start.frames = options.frames.value_or(start.scenario.time.frames);
-    const std::int64_t done = start.checkpoint ? start.checkpoint->state.frame : 0;
+    const std::int64_t done = start.state ? start.state->frame : 0;
     if (done >= start.frames) {
         throw InputError("--frames", "frame " + std::to_string(start.frames) + " is done already",
                          "needed: more than " + std::to_string(done));
     }
     return start;
-}
-
-/// As a shell takes it for one word.
-std::string quoted(const std::string& word)
-{
-    constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
-        return word;
-    }
-    std::string text = "'";
-    for (const char c : word) {
-        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return text + "'";
 }
 
 void print_summary(const Start& start, double rate)
@@ -114,7 +122,7 @@ void print_summary(const Start& start, double rate)
               << "  speed          " << std::setprecision(4) << rate
               << " frames/s, without the settling at the start\n"
               << "frames.csv has the numbers of every frame; ParaView shows it all by: paraview --script="
-              << quoted((start.out / "show_in_paraview.py").string()) << std::endl;
+              << shell_word((start.out / "show_in_paraview.py").string()) << std::endl;
 }
 
 /// Whose the run is, unless the command line says otherwise.
@@ -129,30 +137,67 @@ backends::BackendChoice backend_of(const RunOptions& options)
     return choice;
 }
 
-int run(const RunOptions& options)
+/// What goes on with an interrupted run as it was meant.
+std::string command_to_go_on(const RunOptions& options, const Start& start)
+{
+    return "aneurysm run --resume --out " + shell_word(start.out.string()) +
+           (options.frames ? " --frames " + std::to_string(*options.frames) : "") +
+           (options.backend.threads > 0 ? " --threads " + std::to_string(options.backend.threads) : "") +
+           (options.strict ? " --strict" : "");
+}
+
+RunDirectory open_directory(const RunOptions& options, const Start& start, const Simulation& simulation)
+{
+    if (!options.resume) {
+        return RunDirectory::create(start.out, start.scenario, simulation.engine());
+    }
+    RunDirectory directory = RunDirectory::resume(
+        start.out, {start.scenario, start.state ? *start.state : simulation.state()}, simulation.engine());
+    if (!directory.others().empty()) {
+        std::cerr << "aneurysm: note: other programs than this one made " << directory.others()
+                  << "; made_by in manifest.json says which frames are whose\n";
+    }
+    return directory;
+}
+
+/// With --strict, a solve that was given up ends the run.
+void refuse_unsolved(const Scenario& scenario, const FrameRecord& record)
+{
+    if (!output::is_solved(scenario, record)) {
+        throw SimulationError("frame " + std::to_string(record.frame),
+                              "pressure.max_iterations (" + std::to_string(scenario.pressure.max_iterations) +
+                                  ") ended the solve of (3) before its tolerances were met (--strict)",
+                              "needed: a larger pressure.max_iterations, or a smaller time.frame_s");
+    }
+}
+
+int run(const CLI::App& app, RunOptions& options)
 {
     const Start start = make_start(options);
-    const std::unique_ptr<Simulation> simulation = backends::make_simulation(
-        backend_of(options), start.scenario,
-        start.checkpoint ? std::optional(start.checkpoint->state) : std::nullopt, options.scenario);
-    const InterruptWatch watch;
-    RunDirectory directory = start.checkpoint
-                                 ? RunDirectory::resume(start.out, *start.checkpoint, simulation->engine())
-                                 : RunDirectory::create(start.out, start.scenario, simulation->engine());
-    const Vessel vessel(start.scenario, reference::daughter_radius(start.scenario.vessel.radius_m));
+    options.backend = backend_of(options);
+    settle_tuning(app, options.backend);
+    const std::unique_ptr<Simulation> simulation =
+        backends::make_simulation(options.backend, start.scenario, start.state, options.scenario);
     bool complete = false;
     double rate = 0;
     {
+        const InterruptWatch watch;
+        RunDirectory directory = open_directory(options, start, *simulation);
+        const Vessel vessel(start.scenario, reference::daughter_radius(start.scenario.vessel.radius_m));
         Progress progress("frame", simulation->state().frame, start.frames);
-        complete = output::run_frames(
-            start.scenario, vessel, start.frames, *simulation, directory,
-            [&](const FrameRecord& record) { progress.show(record.frame, output::name_of(record.phase)); });
+        complete = output::run_frames(start.scenario, vessel, start.frames, *simulation, directory,
+                                      [&](const FrameRecord& record) {
+                                          progress.show(record.frame, output::name_of(record.phase));
+                                          if (options.strict) {
+                                              refuse_unsolved(start.scenario, record);
+                                          }
+                                      });
         rate = progress.per_second(simulation->state().frame);
     }
     print_summary(start, rate);
     if (!complete) {
         std::cerr << "interrupted after frame " << simulation->state().frame
-                  << "; go on with: aneurysm run --resume --out " << quoted(start.out.string()) << "\n";
+                  << "; go on with: " << command_to_go_on(options, start) << "\n";
     }
     return complete ? exit_done : exit_interrupted;
 }
@@ -163,23 +208,28 @@ void add_run(CLI::App& app, std::optional<int>& code)
 {
     const auto options = std::make_shared<RunOptions>();
     CLI::App* run_app = app.add_subcommand("run", "Simulate a scenario");
-    run_app->add_option("SCENARIO", options->scenario, "scenario file; with --resume it may be left out");
-    run_app->add_option("--out", options->out,
-                        "directory for the results; must not exist (default: results/NAME)");
+    add_input(*run_app, "SCENARIO", options->scenario, "scenario file; with --resume it may be left out");
+    add_directory(*run_app, "--out", options->out,
+                  "directory for the results; must not exist (default: results/NAME)");
     add_backend(*run_app, options->backend);
     add_tuning(*run_app, options->backend);
-    run_app->add_option("--frames", options->frames, "run up to this frame instead of the scenario's last")
-        ->check(at_least(1));
+    add_count(*run_app, "--frames", options->frames, "run up to this frame instead of the scenario's last", 1,
+              most_frames);
     run_app->add_flag("--resume", options->resume,
                       "go on from the checkpoint in --out, with the run's backend, to the same bits");
-    run_app->footer("Examples:\n"
-                    "  aneurysm run data/scenarios/quick.json --out results/quick\n"
-                    "  aneurysm run --resume --out results/quick\n"
-                    "Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted (a checkpoint was written).");
+    run_app->add_flag("--strict", options->strict,
+                      "stop at a frame whose solve of (3) didn't converge; else the summary says so");
+    add_progress(*run_app);
+    run_app->footer(
+        "Examples:\n"
+        "  aneurysm run data/scenarios/quick.json --out results/quick\n"
+        "  aneurysm run --resume --out results/quick\n"
+        "Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted by Ctrl-C, SIGTERM, SIGHUP or SIGUSR1 (a\n"
+        "checkpoint was written).");
     run_app->callback([run_app, options, &code] {
         options->has_backend = run_app->count("--backend") > 0;
         options->has_precision = run_app->count("--precision") > 0;
-        code = run(*options);
+        code = run(*run_app, *options);
     });
 }
 

@@ -84,7 +84,7 @@ int run_study(const Options& options)
                                           .daily = options.mutants == "ci",
                                           .jobs = thread_count(options.jobs)};
     require_data();
-    make_report_directory(options.out);
+    const ReportDirectory directory(options.out);
     const std::string only = options.only.empty() ? "" : " --only " + joined(options.only, ",");
     const sensitivity::SensitivityReport report{
         .study = run(checks, study),
@@ -111,15 +111,16 @@ int main(int argc, char** argv)
     CLI::App app("Plants faults in the equations, one at a time, to see which check notices.",
                  "aneurysm-sensitivity");
     Options options;
-    app.add_option("--out", options.out, "directory for the reports; must not exist, or be empty")
+    add_directory(app, "--out", options.out, "directory for the reports; must not exist, or be empty")
         ->required();
     app.add_option("--faults", options.mutants, "all; ci: 24 that take a minute")
         ->check(CLI::IsMember({"all", "ci"}))
         ->capture_default_str();
-    app.add_option("--only", options.only, "as of aneurysm verify")->delimiter(',');
+    add_words(app, "--only", options.only, "as of aneurysm verify");
     app.add_flag("--full", options.full, "with the checks that take minutes");
-    app.add_option("--jobs", options.jobs, "processes at once; 0: as many as there are cores")
-        ->check(at_least(0));
+    add_count(app, "--jobs", options.jobs, "processes at once; 0: as many as pay", 0, most_at_once)
+        ->default_str("0");
+    add_progress(app);
     std::optional<int> code;
     app.callback([&] { code = run_study(options); });
     return run_program(app, code, argc, argv);

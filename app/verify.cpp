@@ -86,7 +86,7 @@ int verify_suite(const VerifyOptions& options)
         suite::select(checks::all_checks(), options.full, options.only);
     std::vector<suite::SuiteSubject> subjects = suite::make_subjects(options.backends, options.precisions);
     require_data();
-    make_report_directory(options.out);
+    const ReportDirectory directory(options.out);
 
     suite::SuiteReport report;
     {
@@ -119,6 +119,12 @@ int verify_suite(const VerifyOptions& options)
     if (options.full) {
         words.emplace_back("--full");
     }
+    if (options.progress->quiet) {
+        words.emplace_back("--quiet");
+    }
+    if (options.progress->seconds) {
+        words.insert(words.end(), {"--progress", std::to_string(*options.progress->seconds)});
+    }
     become_program("aneurysm-sensitivity", words, "--sensitivity",
                    "cmake --build --preset release --target aneurysm-sensitivity builds it");
 }
@@ -145,38 +151,37 @@ void add_verify(CLI::App& app, std::optional<int>& code)
 {
     const auto options = std::make_shared<VerifyOptions>();
     CLI::App* verify_app = app.add_subcommand("verify", "Check every equation, and write a report");
-    CLI::Option* out = verify_app->add_option(
-        "--out", options->out,
-        "directory for the reports; must not exist, or be empty (default: results/verify, results/baseline, "
-        "results/sensitivity)");
+    CLI::Option* out = add_directory(*verify_app, "--out", options->out,
+                                     "directory for the reports; must not exist, or be empty (default: "
+                                     "results/verify, results/baseline, results/sensitivity)");
     CLI::Option* quick =
         verify_app->add_flag("--quick", options->quick, "the checks that take seconds (default)");
     CLI::Option* full = verify_app->add_flag("--full", options->full, "all checks, minutes")->excludes(quick);
-    CLI::Option* only = verify_app
-                            ->add_option("--only", options->only,
-                                         "words of checks, equations (13) and levels (L2), by commas")
-                            ->delimiter(',');
+    CLI::Option* only = add_words(*verify_app, "--only", options->only,
+                                  "words of checks, equations (13) and levels (L2), by commas");
     CLI::Option* backend =
         add_choices(*verify_app, "--backend", options->backends, backend_names, "only these (default: all)");
     CLI::Option* precision = add_choices(*verify_app, "--precision", options->precisions, precision_names,
                                          "of cpu and cuda (default: both)");
-    verify_app->add_option("--jobs", options->jobs, "checks at once; 0: as many as there are cores")
-        ->check(at_least(0))
-        ->capture_default_str();
+    CLI::Option* jobs =
+        add_count(*verify_app, "--jobs", options->jobs, "checks at once; 0: as many as pay", 0, most_at_once)
+            ->default_str("0");
+    options->progress = add_progress(*verify_app);
     CLI::Option* baseline =
         verify_app
             ->add_flag("--baseline", options->baseline,
                        "make the runs recorded in the data again instead; --only then names scenarios")
             ->excludes(quick)
-            ->excludes(full);
+            ->excludes(full)
+            ->excludes(jobs);
     verify_app->add_flag("--record", options->record, "with --baseline: record all of them anew, in the data")
         ->needs(baseline)
         ->excludes(out)
         ->excludes(only)
         ->excludes(backend)
         ->excludes(precision);
-    verify_app->add_option("--data", options->data,
-                           "folder of the project's data (default: the shipped one)");
+    add_input(*verify_app, "--data", options->data,
+              "folder of the project's data (default: the shipped one)");
     CLI::Option* sensitivity =
         verify_app
             ->add_flag("--sensitivity", options->sensitivity,

@@ -185,7 +185,7 @@ int compare(const VerifyOptions& options, const fs::path& data, const comparison
     }
     const std::vector<Task> tasks =
         tasks_of(scenarios, suite::make_subjects(options.backends, options.precisions));
-    make_report_directory(options.out);
+    const ReportDirectory directory(options.out);
     const InterruptWatch watch;
     const std::vector<Outcome> outcomes = run(tasks);
     std::string lines;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "common/backend.hpp"
+#include "common/process/progress.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,8 @@ struct VerifyOptions {
 
     bool sensitivity = false;    ///< instead: faults planted in the equations
     std::string mutants = "all"; ///< which: all, ci
+
+    std::shared_ptr<ProgressRhythm> progress; ///< as chosen
 };
 
 } // namespace aneurysm::app

@@ -7,20 +7,22 @@
 //     bench_frames data --benchmark_filter='frames/(tc1|tc2|tc3|tc4)/cpu'
 #include "benchmarks/machine.hpp"
 #include "common/error.hpp"
+#include "common/exception.hpp"
+#include "common/parallel.hpp"
+#include "common/process/descriptors.hpp"
 #include "common/scenario/limits.hpp"
+#include "output/file.hpp"
 #include "verification/backends/make_simulation.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <sstream>
-#include <thread>
 
 namespace
 {
@@ -231,7 +233,7 @@ int timed_frames(Backend backend, std::int64_t particles)
 
 void register_all(const std::vector<Case>& all)
 {
-    const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
+    const int cores = paying_threads();
     const auto add = [](const Case& c, Backend backend, Precision precision, int threads) {
         const std::string words = name_of(backend) +
                                   (backend == Backend::reference ? "" : "/" + name_of(precision)) +
@@ -274,6 +276,7 @@ void register_all(const std::vector<Case>& all)
 
 int main(int argc, char** argv)
 {
+    fill_standard_descriptors();
     benchmark::Initialize(&argc, argv);
     std::string data;
     std::string table_file;
@@ -297,12 +300,12 @@ int main(int argc, char** argv)
         }
         const std::string text = table(collector.runs(), all);
         std::cout << "\n" << text;
-        if (!table_file.empty() && !(std::ofstream(table_file) << text).flush()) {
-            throw Error(table_file, "cannot be written", "needed: a place with enough space");
+        if (!table_file.empty()) {
+            output::write_atomically(table_file, text);
         }
-    } catch (const Error& error) {
-        std::cerr << error.what() << "\n";
-        return 2;
+    } catch (const std::exception& error) {
+        std::cerr << text_of(error) << "\n";
+        return is_bad_input(error) ? 2 : 1;
     }
     return 0;
 }

@@ -9,6 +9,7 @@ int main(int argc, char** argv)
 {
     using namespace aneurysm;
     CLI::App app("Pictures of runs.", "aneurysm");
+    app.require_subcommand(0, 1); // what follows may be called like one: aneurysm render view
     std::optional<int> code;
     app::add_render(app, code);
     app::add_view(app, code);

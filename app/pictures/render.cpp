@@ -154,9 +154,16 @@ void write_video(const fs::path& file, const std::vector<std::string>& pictures,
     std::vector<std::string> command(std::istream_iterator<std::string>(options), {});
     *std::ranges::find(command, "LIST") = list;
     command.push_back(unfinished);
-    aneurysm::run_program(command, "needed for videos: Debian's package ffmpeg, and enough space");
-    fs::remove(list);
-    fs::rename(unfinished, file);
+    std::error_code unused;
+    try {
+        aneurysm::run_program(command, "needed for videos: Debian's package ffmpeg, and enough space");
+        fs::rename(unfinished, file);
+    } catch (const std::exception&) {
+        fs::remove(list, unused);
+        fs::remove(unfinished, unused);
+        throw;
+    }
+    fs::remove(list, unused);
 }
 
 /// One file for each frame and state, and videos of them. \return whether it came to the end
@@ -208,6 +215,18 @@ std::string title_of(const Plan& plan, const Tile& tile)
     return plan.runs.size() == 1 ? frame : plan.labels[tile.run] + ", " + frame;
 }
 
+/// Before memory is taken for a sheet. [pixels]
+void refuse_large(std::int64_t width, std::int64_t height)
+{
+    constexpr std::int64_t longest = 1'000'000; // of a PNG, for most that read it
+    constexpr std::int64_t most = std::int64_t{1} << 28;
+    if (width > longest || height > longest || width * height > most) {
+        throw InputError(
+            "--sheet", "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
+            "allowed: " + std::to_string(most) + " in all; needed: fewer --frames, or a smaller --size");
+    }
+}
+
 /// All frames and runs in one picture: the states of a tile below one another, a color bar below all.
 /// \return whether it came to the end
 bool draw_sheet(const RenderOptions& options, const Plan& plan, const fs::path& file)
@@ -221,6 +240,8 @@ bool draw_sheet(const RenderOptions& options, const Plan& plan, const fs::path& 
     const bool bar = plan.states.front() == State::particles;
     const int font = std::max(9, std::min(width, height) / 26);
     const int strip = bar ? 6 * font / 2 * 2 : 0;
+    refuse_large(static_cast<std::int64_t>(columns) * width,
+                 static_cast<std::int64_t>(rows) * height + strip);
     const pictures::Image sheet = pictures::blank(columns * width, rows * height + strip);
     std::unique_ptr<Studio> studio;
     Progress progress("tile", 0, static_cast<std::int64_t>(count) * states);
@@ -283,11 +304,9 @@ void add_render(CLI::App& app, std::optional<int>& code)
 {
     const auto o = std::make_shared<RenderOptions>();
     CLI::App* render_app = app.add_subcommand("render", "Draw frames of a run, or make a video of them");
-    render_app->add_option("RUN_DIR", o->runs, "directory of a run; several with --sheet")->required();
-    render_app
-        ->add_option("--frames", o->frames, "which, by commas (default: all that particles were written for)")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    add_inputs(*render_app, "RUN_DIR", o->runs, "directory of a run; several with --sheet")->required();
+    add_counts(*render_app, "--frames", o->frames,
+               "which, by commas (default: all that particles were written for)", 0, most_frames);
     render_app
         ->add_option_function<std::string>(
             "--state",
@@ -301,24 +320,24 @@ void add_render(CLI::App& app, std::optional<int>& code)
         ->default_str("both");
     static constexpr std::array<std::string_view, 2> colors{"speed", "pressure"};
     add_choice(*render_app, "--color", o->color, colors, "of the particles");
-    render_app
-        ->add_option("--range", o->range, "LOW,HIGH of the colors (default: from all frames of the runs)")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+    add_numbers(*render_app, "--range", o->range,
+                "LOW,HIGH of the colors (default: from all frames of the runs)");
     add_choice(*render_app, "--view", o->view, pictures::view_names, "sac, breach: close-ups");
     add_size(*render_app, o->size, "of a picture, or of a tile (default: 1200x1200; tile 520x560)");
-    render_app->add_option("--out", o->out, "directory for the pictures (default: RUN_DIR/pictures)");
+    add_directory(*render_app, "--out", o->out, "directory for the pictures (default: RUN_DIR/pictures)");
     CLI::Option* sheet =
         render_app->add_flag("--sheet", o->sheet, "all in one picture, sheet.png, with one color bar");
-    render_app->add_option("--columns", o->columns, "of the sheet (default: as many as tiles, at most 4)")
-        ->check(at_least(1));
-    render_app->add_option("--labels", o->labels, "of the runs, by commas (default: their scenarios' names)")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    render_app->add_flag("--animation", o->animation, "also particles.webm and fluid.webm")->excludes(sheet);
-    render_app->add_option("--fps", o->rate, "pictures a second of the video")
-        ->check(CLI::Range(1, 120))
-        ->capture_default_str();
+    add_count(*render_app, "--columns", o->columns, "of the sheet (default: as many as tiles, at most 4)", 1,
+              most_at_once)
+        ->needs(sheet);
+    add_words(*render_app, "--labels", o->labels, "of the runs, by commas (default: their scenarios' names)");
+    CLI::Option* animation =
+        render_app->add_flag("--animation", o->animation, "also particles.webm and fluid.webm")
+            ->excludes(sheet);
+    add_count(*render_app, "--fps", o->rate, "pictures a second of the video", 1, 120)
+        ->needs(animation)
+        ->default_str(std::to_string(o->rate));
+    add_progress(*render_app);
     render_app->footer("Examples:\n"
                        "  aneurysm render results/paper_tc1 --frames 400,2200,2400 --sheet\n"
                        "  aneurysm render results/quick --state fluid --view sac --animation\n"

@@ -88,22 +88,25 @@ void add_view(CLI::App& app, std::optional<int>& code)
 {
     const auto o = std::make_shared<ViewOptions>();
     CLI::App* view_app = app.add_subcommand("view", "Simulate a scenario in a window");
-    view_app->add_option("SCENARIO", o->scenario, "scenario file")->required();
+    add_input(*view_app, "SCENARIO", o->scenario, "scenario file")->required();
     add_backend(*view_app, o->backend);
     add_tuning(*view_app, o->backend);
-    view_app->add_option("--frames", o->frames, "stop at this frame instead of the scenario's last")
-        ->check(at_least(1));
+    add_count(*view_app, "--frames", o->frames, "stop at this frame instead of the scenario's last", 1,
+              most_frames);
     add_size(*view_app, o->size, "of the window")->default_str("1400x900");
     view_app->add_flag("--paused", o->paused, "start with a pause");
     view_app->add_option("--keys", o->keys,
                          "keys to press one by one, such as \"space n n q\"; q closes the window");
-    view_app->add_option("--picture", o->picture, "PNG file for what the window shows when q closes it")
-        ->check(file_in_folder());
+    add_output_file(*view_app, "--picture", o->picture,
+                    "PNG file for what the window shows when q closes it");
     view_app->footer(
         "Example:\n"
         "  aneurysm view data/scenarios/quick.json\n"
         "Needs a display; the window lists its keys. Exit codes: 0 done, 1 failed, 2 bad input.");
-    view_app->callback([o, &code] { code = view(*o); });
+    view_app->callback([view_app, o, &code] {
+        settle_tuning(*view_app, o->backend);
+        code = view(*o);
+    });
 }
 
 } // namespace aneurysm::app

@@ -2,6 +2,7 @@
 #include "app/pictures/window.hpp"
 
 #include "app/pictures/studio.hpp"
+#include "common/exception.hpp"
 #include "output/columns.hpp"
 
 #include <vtkCommand.h>
@@ -160,7 +161,7 @@ void Window::save() const
         pictures::write_png(file, *pictures::picture_of(*window_));
         std::cout << "Saved " << file << std::endl;
     } catch (const std::exception& error) { // no reason to lose the run
-        std::cerr << "aneurysm: " << error.what() << std::endl;
+        std::cerr << "aneurysm: " << text_of(error) << std::endl;
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/pictures/worker.hpp"
 
+#include "common/exception.hpp"
+
 #include <exception>
 #include <utility>
 
@@ -74,7 +76,7 @@ void Worker::work()
             next.record = backend_->advance();
             next.particles = output::shown_particles({backend_->state().particles, backend_->density()});
         } catch (const std::exception& failure) {
-            error = failure.what();
+            error = text_of(failure);
         }
         lock.lock();
         if (!error.empty()) {

@@ -172,13 +172,9 @@ const std::vector<std::string>& key_names()
 Baseline read_baseline(const fs::path& data)
 {
     const fs::path file = data / "baseline.json";
-    Baseline baseline;
-    try {
-        baseline = baseline_from(output::Json::parse(read_text(file)), data);
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(file.string(), std::string("not as it was written (") + error.what() + ")",
-                         "needed: a recorded baseline");
-    }
+    Baseline baseline =
+        output::read_json_as(file, "needed: a recorded baseline",
+                             [&data](const output::Json& json) { return baseline_from(json, data); });
     for (BaselineScenario& scenario : baseline.scenarios) {
         for (BaselineRun& run : scenario.runs) {
             if (run.digest.empty()) {

@@ -8,11 +8,11 @@
 #include "common/process/progress.hpp"
 #include "output/build_info.hpp"
 #include "output/frames.hpp"
+#include "output/json.hpp"
+#include "output/lock.hpp"
 #include "output/run_directory.hpp"
 #include "output/run_frames.hpp"
 #include "reference/bifurcation.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -25,7 +25,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 /// What decides a run's bits, and how far it is; nothing where no readable manifest is.
 struct Made {
@@ -35,21 +34,27 @@ struct Made {
 
 Made made(const fs::path& directory, const Scenario& scenario, const backends::BackendChoice& backend)
 {
-    const fs::path file = directory / "manifest.json";
-    if (!fs::exists(file)) {
+    const fs::path file = output::RunDirectory::manifest_file(directory);
+    if (!is_there(file)) {
         return {};
     }
-    const Json json = Json::parse(read_text(file), nullptr, false);
-    if (!json.is_object()) {
-        return {};
-    }
-    const auto is = [&json](const char* key, const std::string& value) {
-        return json.value(key, "") == value;
+    const auto read = [&](const output::Json& json) -> Made {
+        const auto is = [&json](const char* key, const std::string& value) {
+            return json.value(key, std::string()) == value;
+        };
+        const output::BuildInfo build = output::build_info();
+        const bool same = is("scenario_hash", scenario_hash(scenario)) &&
+                          is("backend", name_of(backend.backend)) &&
+                          is("precision", name_of(backend.precision)) && is("commit", build.commit) &&
+                          is("version", build.version);
+        return {same,
+                is("status", "finished") && json.value("frames", std::int64_t{0}) == scenario.time.frames};
     };
-    const bool same =
-        is("scenario_hash", scenario_hash(scenario)) && is("backend", name_of(backend.backend)) &&
-        is("precision", name_of(backend.precision)) && is("commit", output::build_info().commit);
-    return {same, is("status", "finished") && json.value("frames", 0) == scenario.time.frames};
+    try {
+        return output::read_json_as(file, "", read);
+    } catch (const InputError&) {
+        return {}; // damaged: made anew
+    }
 }
 
 /// A run of the store, begun or gone on with.
@@ -58,10 +63,13 @@ void make_run(const fs::path& directory, const Scenario& scenario, const backend
 {
     std::optional<output::Checkpoint> checkpoint;
     if (made(directory, scenario, choice).same &&
-        fs::exists(output::RunDirectory::checkpoint_file(directory))) {
+        is_there(output::RunDirectory::checkpoint_file(directory))) {
         checkpoint = output::read_checkpoint(output::RunDirectory::checkpoint_file(directory));
-    } else {
-        fs::remove_all(directory); // of another scenario or program, or without anything to go on from
+    } else if (is_there(directory)) { // of another scenario or program, or without anything to go on from
+        const output::Lock lock(is_there(output::RunDirectory::frames_file(directory))
+                                    ? output::RunDirectory::frames_file(directory)
+                                    : directory); // `aneurysm run --resume` may be at work there
+        fs::remove_all(directory);
     }
     const std::unique_ptr<Simulation> backend = backends::make_simulation(
         choice, scenario, checkpoint ? std::optional(checkpoint->state) : std::nullopt);
