@@ -4,7 +4,11 @@
 Where the JSON Schema can say what is wrong, it has to refuse the file as well, and only there.
 """
 import json
+import os
 import pathlib
+import stat
+import subprocess
+import threading
 
 try:
     import jsonschema
@@ -219,6 +223,8 @@ def check_suite(directory):
     refused(directory, ["verify", "--out", "/proc/out"], ["/proc/out", "cannot be made"])
     refused(directory, ["verify", *out, "--only", "x13"], ["--only", "x13", "L0", "EOS"])
     refused(directory, ["verify", *out, "--only", ""], ["--only", "()"])
+    refused(directory, ["verify", *out, "--only", ","], ["--only", "(,)"])
+    refused(directory, ["verify", "--only", "eq13,", *out], ["--only", "(eq13,)"])
     refused(directory, ["verify", *out, "--backend", "gpu"], ["--backend", "gpu"])
     refused(directory, ["verify", *out, "--precision", "half"], ["--precision", "half"])
     refused(directory, ["verify", *out, "--backend", "reference", "--precision", "float"], ["--precision", "float"])
@@ -240,6 +246,153 @@ def check_suite(directory):
         refused(directory, ["verify", "--baseline", *out, "--data", directory], ["baseline.json", "not as it was written"])
 
 
+fast = ["--backend", "cpu", "--precision", "float", "--threads", "1"]
+
+
+def frames_of(run):
+    return (run / "frames.csv").read_text().count("\n") - 1
+
+
+def check_numbers(directory):
+    """Every whole number is decimal, whatever it begins with; what isn't whole, or is out of range, is refused."""
+    for number, word in enumerate(("010", "+10", "1e1", "10.0", "0.1e2", "100e-1")):
+        run = directory / f"run{number}"
+        program.run("run", quick, *fast, "--frames", word, "--out", run)
+        expect(frames_of(run) == 10, f"--frames {word}: {frames_of(run)} frames instead of 10")
+    wrong = ("0x10", "1e30", "99999999999999999999", "-99999999999999999999", "1,5", "1.5", "1e-1", "10 ", " 10", "ten",
+             "", ".", "e1", "1e", "1e+", "+-1", "--1", "inf", "nan", "1_000", "0b11", "1e999999999999", "\u0663")
+    options = [["run", quick, "--out", "out", "--frames"], ["run", quick, "--out", "out", "--backend", "cpu", "--threads"],
+               ["run", quick, "--out", "out", "--backend", "cuda", "--block-size"],
+               ["compare", quick, "--candidate", "cpu", "--frames"], ["compare", quick, "--candidate", "cpu", "--from"],
+               ["compare", quick, "--candidate", "cpu", "--mode", "free", "--ensemble"],
+               ["verify", "--out", "out", "--jobs"], ["reproduce", "table1", "--out", "out", "--seeds"],
+               ["reproduce", "table1", "--out", "out", "--first-seed"], ["reproduce", "table1", "--out", "out", "--jobs"]]
+    for option in options:
+        for word in wrong:
+            refused(directory, [*option, word], [option[-1]])
+    for word in ("0", "-1", "inf", "nan", "soon", "1e7"):
+        refused(directory, ["run", quick, "--out", "out", "--progress", word], ["--progress"])
+    # As JSON Schema takes them, so does the program.
+    scenario = directory / "numbers.json"
+    for text, good in (("3e3", True), ("20.0", True), ("2000e-2", True), ("20.5", False), ("1e18", False), ("1e400", False)):
+        scenario.write_text('{"base": "%s", "assumed": {"time.frames": "a test"}, "time": {"frames": %s}}' % (quick, text))
+        program.run("info", scenario, code=0 if good else 2)
+        expect(text == "1e400" or validator.is_valid(json.loads(scenario.read_text())) == good, f"the schema of {text}")
+
+
+def check_idle_options(directory):
+    """An option that would do nothing is refused, not passed over."""
+    run, compare = ["run", quick, "--out", "out"], ["compare", quick, "--candidate"]
+    refused(directory, [*run, "--threads", "2"], ["--threads", "reference", "cpu"])
+    refused(directory, [*run, "--backend", "cpu", "--block-size", "64"], ["--block-size", "cpu", "cuda"])
+    refused(directory, [*compare, "reference", "--threads", "2"], ["--threads"])
+    refused(directory, [*compare, "cpu", "--ensemble", "5"], ["--ensemble", "lockstep", "free"])
+    refused(directory, ["info", quick, "--schema"], ["--schema", "SCENARIO"])
+    refused(directory, ["verify", "--baseline", "--jobs", "2", "--out", "out"], ["--baseline", "--jobs"])
+    refused(directory, [*run, "--quiet", "--progress", "1"], ["--quiet", "--progress"])
+    refused(directory, [*compare, "cpu", "--report", quick], [quick, "scenario itself"])
+
+
+def check_paths(directory):
+    """Every path as it is typed: slashes, steps back, blanks, quotes, brackets, names of subcommands, empty, too long."""
+    for number, name in enumerate(("new/", "deep/new//", "steps/x/..", "a b", "it's", '"', "[a,b]", "run", "-x", "$(x)", "#1")):
+        where = directory / f"place{number}"
+        where.mkdir()
+        out, _ = program.run("run", quick, *fast, "--frames", "1", f"--out={name}", cwd=where)
+        expect(f"Results in {where / 'steps' if '..' in name else name.rstrip('/')}\n" in out, f"{name}: {out}")
+        place = where / ("steps" if ".." in name else name)
+        expect(frames_of(place) == 1, f"--out {name}: no run")
+        expect(files_below(where)[0] in (str(place), str(where / "deep")), f"--out {name}: {files_below(where)}")
+    for name in ("run", "info", "verify", "[x,y]", "a b.json"):
+        (directory / name).write_text(quick.read_text().replace("base.json", str(base)))
+        program.run("info", name, cwd=directory)
+    long, loop = "x" * 300, directory / "loop"
+    loop.symlink_to(loop)
+    for name in (long, "x/" * 3000, "loop/x"):
+        for arguments in (["run", quick, "--out", name], ["run", "--resume", "--out", name], ["info", name],
+                          ["verify", "--out", name], ["compare", quick, "--candidate", "cpu", "--report", name]):
+            refused(directory, arguments, ["name too long" if name != "loop/x" else "symbolic links"])
+    empty = ""
+    for arguments in (["run", quick, "--out", empty], ["run", empty], ["info", empty], ["verify", "--out", empty],
+                      ["compare", quick, "--candidate", "cpu", "--report", empty], ["reproduce", "table1", "--out", empty],
+                      ["compare", quick, "--candidate", "cpu", "--mode", "bits", "--record", empty],
+                      ["verify", "--baseline", "--data", empty]):
+        refused(directory, arguments, ["empty name"])
+    for name in ("", ".", "..", "a/b", "a\0b", "a\nb"):
+        (directory / "named.json").write_text(json.dumps({"base": str(quick), "name": name}))
+        refused(directory, ["run", "named.json"], ["named.json: name"])
+    for name in ("", "a\0b"):
+        (directory / "based.json").write_text(json.dumps({"base": name}))
+        refused(directory, ["info", "based.json"], ["based.json: base"])
+    refused(directory, ["run", quick, "--out", "no/such/../../loop/x/y"], ["loop"])
+
+
+def check_sizes(directory):
+    """What is too large or too deep is refused before memory is taken for it."""
+    deep = directory / "deep.json"
+    for text in ('{"time": ' + "[" * 100000 + "]" * 100000 + "}", '{"a":' * 100000 + "1" + "}" * 100000, "[" * 100000):
+        deep.write_text(text)
+        refused(directory, ["info", deep], [deep, "deeper than 100"])
+    with open(directory / "large.json", "wb") as file:
+        file.truncate(65 << 20)
+    refused(directory, ["info", "large.json"], ["large.json", "64 MiB"])
+    refused(directory, ["info", "/dev/zero"], ["/dev/zero", "64 MiB"])
+    refused(directory, ["reproduce", "table1", "--out", "out", "--seeds", "2000000000"], ["--seeds"])
+
+
+def check_pipes(directory):
+    """A complete scenario may come out of a pipe, and a report may go into one, a device, or through a link."""
+    complete = json.dumps(program.complete(quick))
+    for place in ("/dev/stdin", "/proc/self/fd/0"):
+        found = subprocess.run([program.program, "info", place], input=complete, text=True, capture_output=True)
+        expect(found.returncode == 0 and "hash" in found.stdout, f"{place}: {found.stderr}")
+    fifo, target, link, loose = (directory / name for name in ("fifo", "target.json", "link.json", "loose.json"))
+    os.mkfifo(fifo)
+    target.write_text("old")
+    target.chmod(0o640)
+    link.symlink_to(target.name)
+    loose.symlink_to("made.json")
+    compare = ["compare", quick, "--candidate", "cpu", "--frames", "1"]
+    got = []
+    reader = threading.Thread(target=lambda: got.append(fifo.read_text()))
+    reader.start()
+    program.run(*compare, "--report", fifo)
+    reader.join(20)
+    expect(got and json.loads(got[0])["passed"], "the report expected at the other end of the pipe")
+    expect(stat.S_ISFIFO(fifo.stat().st_mode), "the pipe has become something else")
+    for place in (link, loose):
+        program.run(*compare, "--report", place)
+        expect(place.is_symlink() and program.read_json(place)["passed"], f"{place}: a link to the report expected")
+    expect(stat.S_IMODE(target.stat().st_mode) == 0o640, "the file's rights expected as they were")
+    out, _ = program.run(*compare, "--report", "/dev/stdout")
+    expect(out.rstrip().endswith("}") and out.index("{") > 0, f"text and report expected: {out}")
+    with open(directory / "both", "w") as both:
+        subprocess.run([program.program, *map(str, compare), "--report", "/dev/stdout"], stdout=both, check=True)
+    expect((directory / "both").read_text() == out, "nothing of a redirected output may be lost")
+    if os.getuid() == 0:
+        device = directory / "null"
+        os.mknod(device, 0o666 | stat.S_IFCHR, os.makedev(1, 3))
+        program.run(*compare, "--report", device)
+        expect(stat.S_ISCHR(device.stat().st_mode), "the device has become something else")
+    refused(directory, [*compare, "--report", directory], [directory, "a directory"])
+    refused(directory, [*compare, "--report", directory / "new.json/"], ["no name of a file"])
+
+
+def check_manifests(directory):
+    """A manifest that isn't as it was written, in whatever way."""
+    run = directory / "run"
+    program.run("run", quick, *fast, "--frames", "2", "--out", run)
+    text = (run / "manifest.json").read_text()
+    record = json.loads(text)
+    for key in ("backend", "precision", "started", "resumed_at_frames", "made_by"):
+        for value in (5, {"a": [1]}, [[]] if key != "made_by" else "x"):
+            (run / "manifest.json").write_text(json.dumps({**record, key: value}))
+            refused(directory, ["run", "--resume", "--out", run], [run / "manifest.json"])
+    for bad in ("[]", "5", "null", "[" * 1000 + "]" * 1000):
+        (run / "manifest.json").write_text(bad)
+        refused(directory, ["run", "--resume", "--out", run], [run / "manifest.json"])
+
+
 def check_shipped_scenarios(_):
     for scenario in sorted((data / "scenarios").glob("*.json")):
         errors = [error.message for error in validator.iter_errors(program.read_json(scenario))]
@@ -248,4 +401,5 @@ def check_shipped_scenarios(_):
         expect(err == "", f"{scenario}: {err}")
 
 
-program.check_all(check_shipped_scenarios, check_files, check_arguments, check_checkpoints, check_comparisons, check_suite)
+program.check_all(check_shipped_scenarios, check_files, check_arguments, check_checkpoints, check_comparisons, check_suite,
+                  check_numbers, check_idle_options, check_paths, check_sizes, check_pipes, check_manifests)

@@ -128,6 +128,10 @@ def check_interruption(scratch):
         if frames.exists() and frames.read_text().count("\n") > 20:
             break
         time.sleep(0.1)
+    before = frames.stat().st_ino
+    _, errors = reproduce("fig9", "--seeds", "1", "--out", scratch / "out", code=2)
+    expect("another run writes here" in errors, f"a second one at once: {errors}")
+    expect(frames.stat().st_ino == before, "the second reproduction touched the first one's run")
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate()
     expect(process.returncode == 130, f"interrupted: exit code {process.returncode}: {errors}")

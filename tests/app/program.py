@@ -41,6 +41,16 @@ def changed(base, **groups):
     return {"base": str(base), **groups, "assumed": {path: "a test" for path in paths}}
 
 
+def complete(file):
+    """A scenario with all its values: what it builds on, with what it says otherwise."""
+    scenario = read_json(file)
+    below = complete(file.parent / scenario.pop("base")) if "base" in scenario else {}
+    for key, value in scenario.items():
+        below[key] = {**below.get(key, {}), **value} if isinstance(value, dict) else value
+    below.pop("$schema", None)
+    return below
+
+
 def read_json(file):
     return json.loads(file.read_text())
 
