@@ -59,7 +59,7 @@ template <class Enum, std::size_t n>
 CLI::Option* add_choices(CLI::App& app, const std::string& option, std::vector<Enum>& values,
                          const std::array<std::string_view, n>& names, const std::string& help)
 {
-    const CLI::IsMember check = one_of(names);
+    const CLI::Validator check = one_of(names);
     return add_list(
                app, option, help, [check](const std::string& word) { return check(word); },
                [&values, &names](const std::string& word) { values.push_back(*value_of<Enum>(word, names)); })
