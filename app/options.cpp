@@ -230,6 +230,19 @@ fs::path made_for_reports(const fs::path& directory)
 
 ReportDirectory::ReportDirectory(const fs::path& directory) : lock_(made_for_reports(directory)) {}
 
+namespace
+{
+
+/// Names may have line ends and other control characters in them.
+std::string one_line(std::string text)
+{
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+    return text;
+}
+
+} // namespace
+
 int run_program(CLI::App& app, const std::optional<int>& code, int argc, const char* const* argv)
 {
     fill_standard_descriptors();
@@ -249,7 +262,7 @@ int run_program(CLI::App& app, const std::optional<int>& code, int argc, const c
         }
         return *code;
     } catch (const std::exception& error) {
-        std::cerr << "aneurysm: " << text_of(error) << "\n";
+        std::cerr << "aneurysm: " << one_line(text_of(error)) << "\n";
         return is_bad_input(error) ? exit_bad_input : exit_failed;
     }
 }

@@ -299,7 +299,7 @@ def check_paths(directory):
         where = directory / f"place{number}"
         where.mkdir()
         out, _ = program.run("run", quick, *fast, "--frames", "1", f"--out={name}", cwd=where)
-        expect(f"Results in {where / 'steps' if '..' in name else name.rstrip('/')}\n" in out, f"{name}: {out}")
+        expect(f"Results in {'steps' if '..' in name else name.rstrip('/')}\n" in out, f"{name}: {out}")
         place = where / ("steps" if ".." in name else name)
         expect(frames_of(place) == 1, f"--out {name}: no run")
         expect(files_below(where)[0] in (str(place), str(where / "deep")), f"--out {name}: {files_below(where)}")
@@ -311,7 +311,8 @@ def check_paths(directory):
     for name in (long, "x/" * 3000, "loop/x"):
         for arguments in (["run", quick, "--out", name], ["run", "--resume", "--out", name], ["info", name],
                           ["verify", "--out", name], ["compare", quick, "--candidate", "cpu", "--report", name]):
-            refused(directory, arguments, ["name too long" if name != "loop/x" else "symbolic links"])
+            said = {long: "name too long", "loop/x": "symbolic links"}.get(name, "name")
+            refused(directory, arguments, [said])
     empty = ""
     for arguments in (["run", quick, "--out", empty], ["run", empty], ["info", empty], ["verify", "--out", empty],
                       ["compare", quick, "--candidate", "cpu", "--report", empty], ["reproduce", "table1", "--out", empty],
@@ -375,7 +376,7 @@ def check_pipes(directory):
         program.run(*compare, "--report", device)
         expect(stat.S_ISCHR(device.stat().st_mode), "the device has become something else")
     refused(directory, [*compare, "--report", directory], [directory, "a directory"])
-    refused(directory, [*compare, "--report", directory / "new.json/"], ["no name of a file"])
+    refused(directory, [*compare, "--report", f"{directory}/new.json/"], ["no name of a file"])
 
 
 def check_manifests(directory):
