@@ -21,7 +21,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # Man pages are the programs' own --help.
 find_program(ANEURYSM_HELP2MAN help2man)
-if(ANEURYSM_HELP2MAN)
+if(ANEURYSM_HELP2MAN AND aneurysm_makes_files)
   set(pages)
   foreach(command "" run compare verify reproduce info)
     string(STRIP "aneurysm ${command}" words)

@@ -37,7 +37,9 @@ public:
             on_frame(record);
         }
         if (frame() >= frames_ && !due(frame(), scenario_.output.particles_every_frames)) {
+            written_frame_ = -1;
             write_particles(frame()); // the last one, too
+            written_frame_ = frame();
         }
         save_state();
         return frame() >= frames_;

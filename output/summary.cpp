@@ -101,10 +101,10 @@ std::string wall_lines(const Scenario& scenario, const FrameRecord& last, const 
     }
     text << "; at the end R " << last.radius << " m, h " << last.thickness << " m\n";
     if (t.settled_frames > 0) {
-        text << "  impact         hardest in frame " << t.ratio_frame << ": the wall's load over the conversion area was "
-             << t.largest_ratio << " P_c; at the end F_b " << last.impact_force << " N, the load "
-             << last.wall_load << " N, P_c "
-             << last.critical_pressure << " Pa\n";
+        text << "  impact         hardest in frame " << t.ratio_frame
+             << ": the wall's load over the conversion area was " << t.largest_ratio
+             << " P_c; at the end F_b " << last.impact_force << " N, the load " << last.wall_load
+             << " N, P_c " << last.critical_pressure << " Pa\n";
     }
     return text.str();
 }

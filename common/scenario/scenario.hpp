@@ -118,11 +118,11 @@ struct Scenario {
     } growth;
 
     struct {
-        double poisson_ratio = 0;        ///< sigma
-        double porosity = 0;             ///< phi
-        double yield_limit_pa = 0;       ///< Y
-        double thickness_ratio = 0;      ///< zeta: h_0 / r_0
-        double impact_mass_kg = 0;       ///< blood that strikes the wall with the acceleration of F_b's particle
+        double poisson_ratio = 0;   ///< sigma
+        double porosity = 0;        ///< phi
+        double yield_limit_pa = 0;  ///< Y
+        double thickness_ratio = 0; ///< zeta: h_0 / r_0
+        double impact_mass_kg = 0;  ///< blood that strikes the wall with the acceleration of F_b's particle
         double conversion_area_m2 = 0;   ///< turns that force into the pressure that P_c is compared with
         double impact_band_spacings = 0; ///< S of (16): blood nearer to the sac's wall, or beyond it
         double breach_radius_radii = 0;

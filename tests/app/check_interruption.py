@@ -126,7 +126,7 @@ def check_lost_particles(scratch):
     process = program.start("run", scenario, "--out", directory, "--frames", frames)
     while rows(directory) < 3 and process.poll() is None:
         time.sleep(0.002)
-    obstacle = directory / "particles/frame_000040.vtkhdf.tmp"
+    obstacle = directory / "particles/frame_000040.hdf.tmp"
     obstacle.mkdir()
     _, err = process.communicate()
     expect(process.returncode == 1 and "frame_000040" in err, f"a failure expected: {process.returncode}: {err}")
