@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws a run: F_b against P_c, R and h over the frames, and a slice through the blood. Needs python3-matplotlib and
+"""Draws a run: the load of the wall against P_c, R and h over the frames, and a slice through the blood. Needs python3-matplotlib and
 python3-h5py."""
 
 import argparse
@@ -34,10 +34,10 @@ def shade_phases(axes, data):
 
 def draw_force(axes, data):
     shade_phases(axes, data)
-    axes.plot(data["frame"], data["impact_force_n"], lw=0.6, label="$F_b$ [N]")
+    axes.plot(data["frame"], data["wall_load_n"], lw=0.6, label="load [N]")
     if max(data["critical_pressure_pa"]) > 0:
         axes.plot(data["frame"], data["critical_pressure_pa"], lw=1.2, label="$P_c$ [Pa]")
-    settled = data["impact_force_n"][100:] or data["impact_force_n"]
+    settled = data["wall_load_n"][100:] or data["impact_force_n"]
     axes.set(ylabel="impact", ylim=(0, 1.15 * max(settled + data["critical_pressure_pa"])))
     axes.legend(loc="upper right", fontsize=8)
 
