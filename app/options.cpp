@@ -167,7 +167,6 @@ CLI::Option* add_inputs(CLI::App& app, const std::string& option, std::vector<fs
         values.assign(words.begin(), words.end());
     };
     return app.add_option_function<std::vector<std::string>>(option, take, help)
-        ->allow_extra_args(false) // which would take a name in brackets for a list
         ->check(named())
         ->type_name("PATH");
 }

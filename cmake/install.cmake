@@ -48,6 +48,10 @@ install(DIRECTORY common reference cuda analytic DESTINATION ${CMAKE_INSTALL_INC
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/aneurysm)
 install(EXPORT aneurysm NAMESPACE aneurysm:: FILE aneurysm-targets.cmake DESTINATION ${package_folder} COMPONENT development)
+set(aneurysm_with_cuda OFF)
+if(TARGET aneurysm_gpu)
+  set(aneurysm_with_cuda ON) # cuda links the CUDA runtime
+endif()
 configure_package_config_file(cmake/aneurysm-config.cmake.in aneurysm-config.cmake INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(aneurysm-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/aneurysm-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/aneurysm-config-version.cmake

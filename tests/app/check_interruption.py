@@ -103,6 +103,54 @@ def check_breaks(scratch):
     expect(code == 0 and rows(directory) == frames, f"a run under nohup goes on: {code}: {err}")
 
 
+def check_full_disk(scratch):
+    """A limit on file sizes fails like a full disk, and needs no root."""
+    directory, unlimited = scratch / "full", scratch / "unlimited"
+    scenario = write_scenario(scratch / "short.json", output={"particles_every_frames": 0, "checkpoint_every_frames": 50})
+    program.run("run", scenario, "--out", unlimited, "--frames", 360)
+    limit = (unlimited / "frames.csv").stat().st_size - 4000  # the last rows don't fit, the checkpoints do
+    expect((unlimited / "checkpoint.h5").stat().st_size < limit, "a limit above the checkpoints expected")
+    _, err = program.run("run", scenario, "--out", directory, "--frames", 360, code=1, **heed_interrupts(limit))
+    expect(err.count("\n") == 1 and str(directory) in err and "File too large" in err, f"one line expected: {err}")
+    expect(manifest(directory)["status"] == "failed", "failed expected")
+    text = (directory / "frames.csv").read_text()
+    expect(text.endswith("\n") and len({line.count(",") for line in text.splitlines()}) == 1, "whole rows expected")
+    expect(not list(directory.glob("*.tmp")), "no temporary files expected")
+    expect(300 <= rows(directory) < 360, f"an end after the last checkpoint expected: {rows(directory)}")
+    program.run("run", "--resume", "--out", directory, "--frames", 360)
+    same_bytes(directory, unlimited, ("frames.csv", "hashes.csv", "checkpoint.h5"), "after the full disk")
+
+
+def check_blow_up(scratch):
+    directory = scratch / "blow_up"
+    eos = {"model": "eos", "stiffness_m2_s2": 1, "blow_up_density_ratio": 2.5}
+    _, err = program.run("run", write_scenario(scratch / "short.json", pressure=eos), "--out", directory, code=1)
+    expect(err.count("\n") == 1 and "frame " in err and "particle " in err, f"frame and particle expected: {err}")
+    record = manifest(directory)
+    expect(record["status"] == "failed" and record["message"] in err, f"the reason expected: {record['message']}")
+    expect(rows(directory) == record["frames"] > 0, "the frames before it expected")
+    _, err = program.run("run", "--resume", "--out", directory, code=1)
+    expect(record["message"] in err, f"the same end again expected: {err}")
+
+
+def check_suite(scratch):
+    directory = scratch / "suite"
+    process = program.start("verify", "--backend", "reference", "--jobs", 1, "--out", directory, **heed_interrupts())
+    time.sleep(2)
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate()
+    expect(process.returncode == 130 and err == "", f"the suite: {process.returncode}: {err}")
+    expect(out.count("INCOMPLETE") == 1, f"an incomplete suite expected: {out}")
+    expect(len(list(directory.iterdir())) == 4, "four reports expected")
+    report = read_json(directory / "report.json")
+    results = report["results"]
+    expect(not report["complete"] and not report["passed"], "an incomplete report expected")
+    expect(any(r["verdict"] == "holds" for r in results), "what was done expected")
+    left_out = [r for r in results if r["verdict"] == "not run" and r["message"] == "interrupted"]
+    expect(left_out, "the rest not run expected")
+    expect("this report is incomplete" in (directory / "report.html").read_text(), "a page that says so expected")
+
+
 def check_hint(scratch):
     """What is printed after an interruption goes on as it stands, to the frame that was asked for."""
     scenario = write_scenario(scratch / "short.json")
