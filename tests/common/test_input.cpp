@@ -84,8 +84,8 @@ BOOST_AUTO_TEST_CASE(numbers_are_finite)
 BOOST_AUTO_TEST_CASE(every_exception_says_where_what_and_what_to_do)
 {
     const auto code = [](std::errc reason) { return std::make_error_code(reason); };
-    const std::filesystem::filesystem_error long_name("status", "xxx", code(std::errc::filename_too_long));
-    const std::filesystem::filesystem_error full("copy", "xxx", code(std::errc::no_space_on_device));
+    const std::filesystem::filesystem_error long_name("status", "runs", code(std::errc::filename_too_long));
+    const std::filesystem::filesystem_error full("copy", "runs", code(std::errc::no_space_on_device));
     const std::system_error threads(code(std::errc::resource_unavailable_try_again));
     const std::bad_alloc memory;
     const std::length_error length("vector");
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(every_exception_says_where_what_and_what_to_do)
              &long_name, &full, &threads, &memory, &length, &other}) {
         BOOST_TEST(has_form(text_of(*error)), text_of(*error));
     }
-    BOOST_TEST(text_of(long_name).starts_with("xxx: "));
+    BOOST_TEST(text_of(long_name).starts_with("runs: "));
     BOOST_TEST(text_of(threads).starts_with("threads: "));
     BOOST_TEST(text_of(memory).starts_with("memory: "));
     BOOST_TEST(is_bad_input(long_name));
