@@ -148,7 +148,7 @@ env --default-signal=INT true 2>/dev/null && clean='env --default-signal=INT' ||
 $clean build/release/bin/aneurysm run data/scenarios/paper_tc1.json --out "$out" "$@" <&0 &
 run=$!
 trap : INT
-trap 'kill -TERM "$run"' TERM HUP
+trap 'kill -USR1 "$run"' TERM HUP # which may have reached the run already: a second SIGTERM would end it at once
 code=0
 wait "$run" || code=$?
 while kill -0 "$run" 2>/dev/null; do # a signal ended the waiting
@@ -158,12 +158,17 @@ done
 [ "$code" = 0 ] || exit "$code"
 
 # A python3 of one's own, first in the path, may lack the packages that Debian's has.
-picture=
-for python in python3 /usr/bin/python3; do
-    [ -n "$picture" ] || picture=$($python -B output/plot_run.py "$out" 2>/dev/null) || picture=
+python=
+for name in python3 /usr/bin/python3; do
+    [ -n "$python" ] || ! $name -c 'import matplotlib, h5py' 2>/dev/null || python=$name
 done
-[ -n "$picture" ] && echo "== picture: $picture" ||
+if [ -z "$python" ]; then
     echo "== no picture: output/plot_run.py needs python3-matplotlib and python3-h5py"
+elif picture=$($python -B output/plot_run.py "$out"); then
+    echo "== picture: $picture"
+else
+    echo "== no picture: output/plot_run.py says above why"
+fi
 cat <<END
 Next:
   build/release/bin/aneurysm verify --out results/verify     # does it compute what the equations say? (half a minute)

@@ -6,6 +6,7 @@
 #include "common/equations.hpp"
 #include "common/scenario/limits.hpp"
 #include "common/scenario/shipped.hpp"
+#include "common/text.hpp"
 #include "output/build_info.hpp"
 #include "reference/bifurcation.hpp"
 #include "reference/rupture.hpp"
@@ -18,6 +19,7 @@
 #include <memory>
 #include <numbers>
 #include <sstream>
+#include <vector>
 
 namespace aneurysm::app
 {
@@ -108,20 +110,18 @@ std::string program_info()
          << "  compiler  " << build.compiler << "\n"
          << "  flags     " << build.flags << "\n"
          << "  backends  ";
+    std::vector<std::string> present;
     std::string missing;
-    std::string before;
     for (const suite::SuiteSubject& s : suite::make_subjects()) {
         const backends::BackendChoice& choice = s.subject.choice;
         const std::string name = name_of(choice.backend) + " (" + name_of(choice.precision) + ")";
         if (s.missing.empty()) {
-            text << (before.empty() ? "" : ", ") << name;
-            text << (choice.backend == Backend::cuda ? " on " + s.device : "");
-            before = name;
+            present.push_back(name + (choice.backend == Backend::cuda ? " on " + s.device : ""));
         } else if (missing.find(s.missing) == std::string::npos) { // once, for both precisions
-            missing = "            not " + name_of(choice.backend) + ": " + s.missing + "\n";
+            missing += "            not " + name_of(choice.backend) + ": " + s.missing + "\n";
         }
     }
-    text << "\n" << missing;
+    text << joined(present, ", ") << "\n" << missing;
     return text.str();
 }
 

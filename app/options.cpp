@@ -11,7 +11,6 @@
 #include <exception>
 #include <functional>
 #include <iostream>
-#include <limits>
 
 namespace aneurysm::app
 {
@@ -54,9 +53,7 @@ void settle_tuning(const CLI::App& app, backends::BackendChoice& choice)
 
 CLI::Validator whole_from(std::int64_t least, std::int64_t most)
 {
-    const std::string allowed = most >= std::numeric_limits<std::int32_t>::max()
-                                    ? "at least " + std::to_string(least)
-                                    : std::to_string(least) + " to " + std::to_string(most);
+    const std::string allowed = std::to_string(least) + " to " + std::to_string(most);
     return {[=](const std::string& text) {
                 const std::optional<std::int64_t> number = whole_number(text);
                 return number && *number >= least && *number <= most
@@ -192,7 +189,7 @@ std::shared_ptr<ProgressRhythm> add_progress(CLI::App& app)
         const std::optional<double> seconds = finite_number(word);
         return seconds && *seconds > 0 && *seconds <= most
                    ? std::string()
-                   : "no number of seconds (" + word + "), allowed: above 0";
+                   : "no number of seconds (" + word + "), allowed: above 0, up to 1000000";
     };
     CLI::Option* const progress =
         app.add_option_function<std::string>(

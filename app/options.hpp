@@ -69,8 +69,8 @@ CLI::Option* add_choices(CLI::App& app, const std::string& option, std::vector<E
 /// A whole number from `least` to `most`, as whole_number reads it.
 CLI::Validator whole_from(std::int64_t least, std::int64_t most);
 
-/// An option whose value is a whole number; `value` may be optional. All numbers of the command line come in here or
-/// through the two functions below, so that all are read alike.
+/// An option whose value is a whole number; `value` may be optional. Read as by the two
+/// functions below: decimal, whole, in range.
 template <class Value>
 CLI::Option* add_count(CLI::App& app, const std::string& option, Value& value, const std::string& help,
                        std::int64_t least, std::int64_t most)

@@ -27,7 +27,7 @@ struct ReproduceOptions {
     backends::BackendChoice backend{Backend::cpu, Precision::float_};
     int seeds = 24;                ///< members of an ensemble
     std::optional<int> first_seed; ///< of the ensemble, or with `calibrate` of the calibration
-    int jobs = 0;                  ///< runs at once; 0: one a core
+    int jobs = 0;                  ///< runs at once; 0: as many as pay
     bool calibrate = false;        ///< fit what the paper doesn't give instead
 };
 

@@ -121,8 +121,12 @@ void print_summary(const Start& start, double rate)
               << output::summary(start.scenario, output::read_frames(RunDirectory::frames_file(start.out)))
               << "  speed          " << std::setprecision(4) << rate
               << " frames/s, without the settling at the start\n"
-              << "frames.csv has the numbers of every frame; ParaView shows it all by: paraview --script="
-              << shell_word((start.out / "show_in_paraview.py").string()) << std::endl;
+              << "frames.csv has the numbers of every frame";
+    if (start.scenario.output.particles_every_frames > 0) {
+        std::cout << "; ParaView shows it all by: paraview --script="
+                  << shell_word((start.out / "show_in_paraview.py").string());
+    }
+    std::cout << std::endl;
 }
 
 /// Whose the run is, unless the command line says otherwise.
@@ -143,6 +147,8 @@ std::string command_to_go_on(const RunOptions& options, const Start& start)
     return "aneurysm run --resume --out " + shell_word(start.out.string()) +
            (options.frames ? " --frames " + std::to_string(*options.frames) : "") +
            (options.backend.threads > 0 ? " --threads " + std::to_string(options.backend.threads) : "") +
+           (options.backend.block_size > 0 ? " --block-size " + std::to_string(options.backend.block_size)
+                                           : "") +
            (options.strict ? " --strict" : "");
 }
 
@@ -183,7 +189,7 @@ int run(const CLI::App& app, RunOptions& options)
     {
         const InterruptWatch watch;
         RunDirectory directory = open_directory(options, start, *simulation);
-        const Vessel vessel(start.scenario, reference::daughter_radius(start.scenario.vessel.radius_m));
+        const Vessel vessel = reference::vessel_of(start.scenario);
         Progress progress("frame", simulation->state().frame, start.frames);
         complete = output::run_frames(start.scenario, vessel, start.frames, *simulation, directory,
                                       [&](const FrameRecord& record) {

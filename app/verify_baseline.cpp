@@ -205,6 +205,10 @@ int compare(const VerifyOptions& options, const fs::path& data, const comparison
 
 int record(const fs::path& data, comparison::Baseline baseline)
 {
+    const fs::path file = data / "baseline.json";
+    if (const std::string why = output::why_not_writable(file); !why.empty()) {
+        throw InputError(file.string(), "cannot be written (" + why + ")", "needed: a data folder of one's own");
+    }
     const std::vector<comparison::BaselineScenario> scenarios = baseline.scenarios;
     const std::vector<Task> tasks =
         tasks_of(scenarios, suite::make_subjects({Backend::reference, Backend::cpu}));
@@ -235,7 +239,7 @@ int record(const fs::path& data, comparison::Baseline baseline)
     baseline.version = build.version;
     baseline.commit = build.commit;
     comparison::write_baseline(data, baseline);
-    std::cout << "recorded in " << (data / "baseline.json").string() << " and " << (data / "hashes").string()
+    std::cout << "recorded in " << file.string() << " and " << (data / "hashes").string()
               << std::endl;
     return 0;
 }

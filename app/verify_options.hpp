@@ -20,7 +20,7 @@ struct VerifyOptions {
     std::vector<std::string> only;     ///< see select; empty: all
     std::vector<Backend> backends;     ///< see make_subjects; empty: all
     std::vector<Precision> precisions; ///< of cpu and cuda; empty: both
-    int jobs = 0;                      ///< checks at once; 0: as many as there are cores
+    int jobs = 0;                      ///< checks at once; 0: as many as pay
 
     bool baseline = false;      ///< instead: recorded runs; `only` names scenarios then
     bool record = false;        ///< with `baseline`: write data/ anew

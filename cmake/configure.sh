@@ -15,7 +15,4 @@ cmake --preset "$preset" --log-level=STATUS "$@" >"$words" || {
     echo "CMAKE_PREFIX_PATH=FOLDER in the environment; docs/install.md names other ways to the packages." >&2
     exit 1
 }
-# install_dependencies.sh has named the packages behind the others, where there are packages.
-left_out=CUDA
-command -v dpkg-query >/dev/null || left_out='CUDA|Pictures|Benchmark|Tests'
-sed -nE "s/^-- (($left_out): .*)/\1/p" "$words"
+sed -n 's/^-- \(Left out: .*\)/\1/p' "$words"

@@ -3,7 +3,7 @@
 # declaration of reference/ without a comment, are errors.
 find_package(Doxygen QUIET)
 if(NOT DOXYGEN_FOUND)
-  message(STATUS "Target docs: not here without Doxygen")
+  message(STATUS "Left out: the documentation site, without Doxygen (doxygen)")
   return()
 endif()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)

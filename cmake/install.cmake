@@ -27,8 +27,9 @@ if(ANEURYSM_HELP2MAN AND aneurysm_makes_files)
     string(STRIP "aneurysm ${command}" words)
     string(REPLACE " " "-" page ${words}.1)
     add_custom_command(OUTPUT ${page} VERBATIM DEPENDS aneurysm
+      WORKING_DIRECTORY $<TARGET_FILE_DIR:aneurysm> # whose name help2man would give to a shell
       COMMAND ${ANEURYSM_HELP2MAN} --no-info --version-string=${PROJECT_VERSION} "--name=simulation of aneurysms by SPH"
-              --output=${page} "$<TARGET_FILE:aneurysm> ${command}")
+              --output=${CMAKE_CURRENT_BINARY_DIR}/${page} "./aneurysm ${command}")
     list(APPEND pages ${CMAKE_CURRENT_BINARY_DIR}/${page})
   endforeach()
   add_custom_target(aneurysm_man ALL DEPENDS ${pages})

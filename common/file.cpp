@@ -2,6 +2,7 @@
 #include "common/file.hpp"
 
 #include "common/error.hpp"
+#include "common/process/descriptors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,21 +19,13 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// The descriptor of a file that is read, closed at the end.
+/// A file that is read.
 class Opened
 {
 public:
     explicit Opened(const fs::path& file) : descriptor_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY))
     {
     }
-    ~Opened()
-    {
-        if (descriptor_ >= 0) {
-            ::close(descriptor_);
-        }
-    }
-    Opened(const Opened&) = delete;
-    Opened& operator=(const Opened&) = delete;
 
     /// \return whether it was read up to its end, or up to one byte more than `most`; errno says why not
     bool read(std::string& text, std::size_t most) const
@@ -40,7 +33,7 @@ public:
         std::array<char, 1 << 16> piece{};
         while (text.size() <= most) {
             const ssize_t n =
-                ::read(descriptor_, piece.data(), std::min(piece.size(), most + 1 - text.size()));
+                ::read(descriptor_.number(), piece.data(), std::min(piece.size(), most + 1 - text.size()));
             if (n < 0 && errno != EINTR) {
                 return false;
             }
@@ -51,10 +44,10 @@ public:
         }
         return true;
     }
-    bool status(struct stat& found) const { return descriptor_ >= 0 && ::fstat(descriptor_, &found) == 0; }
+    bool status(struct stat& found) const { return descriptor_.is_open() && ::fstat(descriptor_.number(), &found) == 0; }
 
 private:
-    int descriptor_;
+    Descriptor descriptor_;
 };
 
 } // namespace

@@ -14,7 +14,8 @@ int paying_threads();
 /// `jobs`, or paying_threads() for 0.
 int thread_count(int jobs);
 
-/// How many of the wanted threads the system lets start, the caller's own included; at least 1.
+/// How many of the wanted threads can work at once: no more than there are processors, nor than the system lets start;
+/// the caller's own included, at least 1. Tried out by starting them.
 int startable_threads(int wanted);
 
 /// Calls work(k) for each k below `count`, on several threads that take one after the other; where the system gives

@@ -56,15 +56,12 @@ public:
         : final_(final_name), path_(name_beside(final_name)),
           descriptor_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666))
     {
-        if (descriptor_ >= 0 && mode) {
-            static_cast<void>(::fchmod(descriptor_, *mode));
+        if (descriptor_.is_open() && mode) {
+            static_cast<void>(::fchmod(descriptor_.number(), *mode));
         }
     }
     ~Temporary()
     {
-        if (descriptor_ >= 0) {
-            ::close(descriptor_);
-        }
         if (!kept_) {
             ::unlink(path_.c_str());
         }
@@ -72,17 +69,17 @@ public:
     Temporary(const Temporary&) = delete;
     Temporary& operator=(const Temporary&) = delete;
 
-    bool made() const { return descriptor_ >= 0; }
+    bool made() const { return descriptor_.is_open(); }
     void write(std::string_view bytes) const
     {
-        if (!write_all(descriptor_, bytes)) {
+        if (!write_all(descriptor_.number(), bytes)) {
             fail_write(final_);
         }
     }
     /// \return whether it has the file's name; errno says why not
     bool keep()
     {
-        if (::fsync(descriptor_) != 0 || ::close(std::exchange(descriptor_, -1)) != 0) {
+        if (::fsync(descriptor_.number()) != 0 || !descriptor_.close()) {
             fail_write(final_);
         }
         kept_ = std::rename(path_.c_str(), final_.c_str()) == 0;
@@ -99,27 +96,8 @@ private:
 
     fs::path final_;
     fs::path path_;
-    int descriptor_;
+    Descriptor descriptor_;
     bool kept_ = false;
-};
-
-/// A descriptor that is closed at the end.
-class Descriptor
-{
-public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor()
-    {
-        if (number_ >= 0) {
-            ::close(number_);
-        }
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }
-
-private:
-    int number_;
 };
 
 /// What a name leads to, links followed; it needn't be there. \throws fs::filesystem_error for a ring of links
@@ -177,7 +155,7 @@ void write_into(const fs::path& file, const struct stat& status, std::string_vie
                             : S_ISFIFO(status.st_mode)
                                 ? open_pipe(file)
                                 : ::open(file.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC | O_NOCTTY));
-    if (opened.number() < 0 || !write_all(opened.number(), bytes)) {
+    if (!opened.is_open() || !write_all(opened.number(), bytes)) {
         fail_write(file);
     }
 }
@@ -185,12 +163,9 @@ void write_into(const fs::path& file, const struct stat& status, std::string_vie
 /// Makes a rename in this directory last; not every file system can, and none needs it to be readable.
 void sync_directory(const fs::path& directory)
 {
-    const int descriptor =
-        ::open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor >= 0) {
-        static_cast<void>(::fsync(descriptor));
-        ::close(descriptor);
-    }
+    const Descriptor descriptor(
+        ::open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    static_cast<void>(::fsync(descriptor.number()));
 }
 
 } // namespace
@@ -262,8 +237,10 @@ NewDirectory::NewDirectory(fs::path directory, Allowed allowed)
 {
     directory = plain(directory);
     const auto fail = [&](const std::string& why) {
+        const bool of_a_run = allowed == Allowed::nothing;
         throw InputError(directory.string(), "output directory cannot be made (" + why + ")",
-                         "needed: a name that doesn't exist yet, in a writable place, or --resume");
+                         std::string("needed: a name that doesn't exist yet, in a writable place") +
+                             (of_a_run ? ", or --resume" : ""));
     };
     if (directory.empty()) {
         fail("empty name");
@@ -316,42 +293,24 @@ LineFile::LineFile(fs::path file, Mode mode)
     const auto fail = [this](const std::string& why) {
         throw InputError(file_.string(), "cannot be written (" + why + ")", "needed: a writable place");
     };
-    if (descriptor_ < 0) {
+    if (!descriptor_.is_open()) {
         fail(reason());
     }
-    try {
-        lock_.emplace(file_);
-        struct stat status {
-        };
-        if (::fstat(descriptor_, &status) != 0) {
-            fail(reason());
-        }
-        size_ = status.st_size;
-    } catch (const Error&) {
-        ::close(std::exchange(descriptor_, -1));
-        throw;
+    lock_.emplace(file_);
+    struct stat status {
+    };
+    if (::fstat(descriptor_.number(), &status) != 0) {
+        fail(reason());
     }
-}
-
-LineFile::~LineFile()
-{
-    if (descriptor_ >= 0) {
-        ::close(descriptor_);
-    }
-}
-
-LineFile::LineFile(LineFile&& other) noexcept
-    : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_),
-      lock_(std::move(other.lock_))
-{
+    size_ = status.st_size;
 }
 
 void LineFile::append(const std::string& line)
 {
     const std::string text = line + "\n";
-    if (!write_all(descriptor_, text)) {
+    if (!write_all(descriptor_.number(), text)) {
         const int error = errno;
-        const bool whole_lines = ::ftruncate(descriptor_, size_) == 0;
+        const bool whole_lines = ::ftruncate(descriptor_.number(), size_) == 0;
         errno = error;
         fail_write(whole_lines ? file_ : fs::path(file_.string() + " (the last line is not whole)"));
     }
@@ -360,7 +319,7 @@ void LineFile::append(const std::string& line)
 
 void LineFile::sync() const
 {
-    if (::fsync(descriptor_) != 0 && errno != EINVAL) { // EINVAL: not a disk file, such as /dev/full
+    if (::fsync(descriptor_.number()) != 0 && errno != EINVAL) { // EINVAL: not a disk file, such as /dev/full
         fail_write(file_);
     }
 }
@@ -380,7 +339,7 @@ void LineFile::keep(std::size_t lines)
         ++end;
     }
     size_ = static_cast<std::int64_t>(end);
-    if (::ftruncate(descriptor_, size_) != 0) {
+    if (::ftruncate(descriptor_.number(), size_) != 0) {
         fail_write(file_);
     }
 }

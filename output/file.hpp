@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/process/descriptors.hpp"
 #include "output/lock.hpp"
 
 #include <cstdint>
@@ -55,11 +56,6 @@ public:
     enum class Mode { create, append };
     /// \throws InputError; also when another process has the file open as a LineFile, see Lock
     LineFile(std::filesystem::path file, Mode mode);
-    ~LineFile();
-    LineFile(LineFile&& other) noexcept;
-    LineFile(const LineFile&) = delete;
-    LineFile& operator=(const LineFile&) = delete;
-    LineFile& operator=(LineFile&&) = delete;
 
     /// \throws Error; the lines before are then still there
     void append(const std::string& line);
@@ -70,7 +66,7 @@ public:
 
 private:
     std::filesystem::path file_;
-    int descriptor_ = -1;
+    Descriptor descriptor_;
     std::int64_t size_ = 0; ///< of the whole lines [bytes]
     std::optional<Lock> lock_;
 };

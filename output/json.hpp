@@ -4,6 +4,7 @@
 
 #include "common/error.hpp"
 #include "common/file.hpp"
+#include "common/json_depth.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -42,9 +43,8 @@ auto read_json_as(const std::filesystem::path& file, const std::string& advice, 
         throw InputError(file.string(), "not as it was written (" + why + ")", advice);
     };
     const auto watch = [&](int depth, Json::parse_event_t, const Json&) {
-        constexpr int deepest = 100; // what recursion over it can stand
-        if (depth > deepest) {
-            fail("nested deeper than " + std::to_string(deepest) + " levels");
+        if (depth > deepest_json) {
+            fail(nested_too_deep);
         }
         return true;
     };

@@ -3,8 +3,8 @@
 
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "output/provenance.hpp"
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -20,12 +20,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string host()
-{
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
-}
 
 /// To write where that is possible: the locks of network file systems ask for it.
 int open_to_lock(const fs::path& file)
@@ -56,6 +50,20 @@ bool is_gone(const Owner& owner)
     return owner.process > 0 && owner.host == host() && ::kill(owner.process, 0) != 0 && errno == ESRCH;
 }
 
+/// Two processes may find the same one gone: what is removed is a name of one's own, and what turns out to be another's
+/// by then gets its name back.
+void remove_stale(const fs::path& file)
+{
+    const std::string stale = file.string() + "." + std::to_string(::getpid());
+    if (::rename(file.c_str(), stale.c_str()) != 0) {
+        return;
+    }
+    if (!is_gone(read_owner(stale))) {
+        static_cast<void>(::link(stale.c_str(), file.c_str())); // fails where somebody else has it already
+    }
+    ::unlink(stale.c_str());
+}
+
 [[noreturn]] void refuse(const fs::path& locked, const std::string& who, const std::string& advice)
 {
     throw InputError(locked.string(), "another run writes here" + who,
@@ -66,15 +74,15 @@ bool is_gone(const Owner& owner)
 
 Lock::Lock(fs::path locked) : locked_(std::move(locked)), descriptor_(open_to_lock(locked_))
 {
-    if (descriptor_ < 0) {
+    if (!descriptor_.is_open()) {
         throw InputError(locked_.string(), std::string("cannot be opened (") + std::strerror(errno) + ")",
                          "needed: the run's own files");
     }
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) {
+    if (::flock(descriptor_.number(), LOCK_EX | LOCK_NB) == 0) {
         return;
     }
     const bool taken = errno == EWOULDBLOCK;
-    ::close(std::exchange(descriptor_, -1));
+    descriptor_.close();
     if (taken) {
         refuse(locked_, "", "");
     }
@@ -83,9 +91,6 @@ Lock::Lock(fs::path locked) : locked_(std::move(locked)), descriptor_(open_to_lo
 
 Lock::~Lock()
 {
-    if (descriptor_ >= 0) {
-        ::close(descriptor_);
-    }
     if (!file_.empty()) {
         ::unlink(file_.c_str());
     }
@@ -93,7 +98,7 @@ Lock::~Lock()
 
 Lock::Lock(Lock&& other) noexcept
     : locked_(std::move(other.locked_)), file_(std::exchange(other.file_, {})),
-      descriptor_(std::exchange(other.descriptor_, -1))
+      descriptor_(std::move(other.descriptor_))
 {
 }
 
@@ -102,24 +107,22 @@ void Lock::make_file()
     const fs::path file =
         fs::is_directory(locked_) ? locked_ / ".lock" : fs::path(locked_.string() + ".lock");
     if (is_gone(read_owner(file))) {
-        ::unlink(file.c_str());
+        remove_stale(file);
     }
-    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0 && errno == EEXIST) {
+    const Descriptor made(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!made.is_open() && errno == EEXIST) {
         const Owner owner = read_owner(file);
         refuse(locked_, " (process " + std::to_string(owner.process) + " on " + owner.host + ")",
                "; if it is gone, remove " + file.string());
     }
     const std::string text = host() + " " + std::to_string(::getpid()) + "\n";
-    if (descriptor < 0 || ::write(descriptor, text.data(), text.size()) != std::ssize(text)) {
+    if (!made.is_open() || ::write(made.number(), text.data(), text.size()) != std::ssize(text)) {
         const std::string why = std::strerror(errno);
-        if (descriptor >= 0) {
-            ::close(descriptor);
+        if (made.is_open()) {
             ::unlink(file.c_str());
         }
         throw InputError(file.string(), "cannot be written (" + why + ")", "needed: a writable place");
     }
-    ::close(descriptor);
     file_ = file;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/process/descriptors.hpp"
+
 #include <filesystem>
 
 namespace aneurysm::output
@@ -25,7 +27,7 @@ private:
 
     std::filesystem::path locked_;
     std::filesystem::path file_; ///< empty: by flock
-    int descriptor_ = -1;
+    Descriptor descriptor_;
 };
 
 } // namespace aneurysm::output

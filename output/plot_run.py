@@ -37,7 +37,7 @@ def draw_force(axes, data):
     axes.plot(data["frame"], data["wall_load_n"], lw=0.6, label="load [N]")
     if max(data["critical_pressure_pa"]) > 0:
         axes.plot(data["frame"], data["critical_pressure_pa"], lw=1.2, label="$P_c$ [Pa]")
-    settled = data["wall_load_n"][100:] or data["impact_force_n"]
+    settled = data["wall_load_n"][100:] or data["wall_load_n"]
     axes.set(ylabel="impact", ylim=(0, 1.15 * max(settled + data["critical_pressure_pa"])))
     axes.legend(loc="upper right", fontsize=8)
 

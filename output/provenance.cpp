@@ -83,13 +83,13 @@ std::vector<std::string> libraries()
     return names;
 }
 
+} // namespace
+
 std::string host()
 {
     utsname system{};
     return uname(&system) == 0 ? system.nodename : "unknown";
 }
-
-} // namespace
 
 nlohmann::ordered_json surroundings()
 {

@@ -15,6 +15,9 @@ nlohmann::ordered_json provenance();
 /// Where and how this process runs: host, batch job, command line, threads that pay, versions of the libraries, GPU driver.
 nlohmann::ordered_json surroundings();
 
+/// Name of this machine in its network.
+std::string host();
+
 /// Now, as in 2025-07-24T13:05:00Z.
 std::string now_utc();
 

@@ -7,8 +7,6 @@
 #include "output/paraview_script.hpp"
 #include "output/provenance.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <array>
 
 namespace aneurysm::output
@@ -101,7 +99,9 @@ RunDirectory RunDirectory::create(const fs::path& directory, const Scenario& sce
         RunDirectory run(place, scenario, engine, LineFile::Mode::create);
         run.frames_.append(frames_header());
         run.hashes_.append(hashes_header());
-        write_atomically(place / "show_in_paraview.py", paraview_script());
+        if (scenario.output.particles_every_frames > 0) {
+            write_atomically(place / "show_in_paraview.py", paraview_script());
+        }
         run.take_makers(Json::object(), 0);
         run.write_manifest(RunStatus::running, "");
         made.keep();

@@ -29,7 +29,7 @@ enum class RunStatus { running, finished, interrupted, failed };
 ///     checkpoint.h5            the last good state
 ///     particles/frame_*.hdf    for ParaView; particles.hdf.series opens them with their times
 ///     wall/frame_*.hdf         likewise, of the same frames: wall, breach and open ends of an artery
-///     show_in_paraview.py              shows both: paraview --script=DIR/show_in_paraview.py
+///     show_in_paraview.py      shows both, where there are any: paraview --script=DIR/show_in_paraview.py
 ///
 /// Every file is written in one step or grows by whole lines, so a killed run leaves nothing broken.
 class RunDirectory

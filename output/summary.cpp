@@ -17,7 +17,7 @@ namespace
 
 /// The run in a few numbers.
 struct Totals {
-    double largest_ratio = 0; ///< of F_b as a pressure and P_c
+    double largest_ratio = 0; ///< of the wall's load as a pressure and P_c
     std::int64_t ratio_frame = 0;
     double density_error_max = 0;
     double density_error_mean = 0;

@@ -2,6 +2,8 @@
 // Section 3.4: the radii of a branching artery, (24).
 #pragma once
 
+#include "common/vessel/geometry.hpp"
+
 namespace aneurysm::reference
 {
 
@@ -15,6 +17,12 @@ inline double daughter_radius(double r_0)
 {
     constexpr double cube_root_of_2 = 1.259921049894873164767;
     return r_0 / cube_root_of_2;
+}
+
+/// The vessel of a scenario, its daughters by (24).
+inline Vessel vessel_of(const Scenario& scenario)
+{
+    return {scenario, daughter_radius(scenario.vessel.radius_m)};
 }
 
 } // namespace aneurysm::reference

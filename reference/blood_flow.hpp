@@ -58,7 +58,7 @@ inline double equation_of_state(double kappa, double rho, double rho_0)
 ///
 ///     F_i^pressure = -sum_j m_j (p_i + p_j) / (2 rho_j) grad W_ij                             [N/m^3]
 ///
-/// A wall's or the inlet's ghost has its neighbor's pressure p_i.
+/// A wall's ghost and the inlet's blood have their neighbor's pressure p_i.
 /// The printed mean makes this half of -grad p.
 inline Vec3 pressure_force(const Bodies& b, std::span<const Neighbor> neighbors, std::span<const double> rho,
                            std::span<const double> p, std::size_t i)

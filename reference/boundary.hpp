@@ -29,7 +29,7 @@ inline double table_velocity(const std::vector<double>& time, const std::vector<
     return velocity[k - 1] + (v_1 - velocity[k - 1]) * ((s - t_0) / (t_1 - t_0));
 }
 
-/// Eq. (25)  Velocity of the inlet's ghost particles, along the parent's axis into the artery:
+/// Eq. (25)  Velocity of the inlet's blood, along the parent's axis into the artery:
 ///
 ///     v_inlet = v_0 sin(2 pi t / T)                                                           [m/s]
 ///

@@ -41,18 +41,17 @@ std::string place(const SimulationState& state, std::size_t particle)
 
 } // namespace
 
-Flow::Flow(const Scenario& scenario, const Vessel& vessel, double dx, std::array<std::vector<Vec3>, 3> slabs)
+Flow::Flow(const Scenario& scenario, const Vessel& vessel, double dx,
+           std::array<std::vector<Vec3>, 3> patterns)
     : scenario_(&scenario), vessel_(&vessel), dx_(dx),
       dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)),
       kernel_(scenario.kernel.function, scenario.kernel.smoothing_length_spacings * dx),
       mass_(scenario.fluid.density_kg_m3 / lattice_kernel_sum(kernel_, dx)),
-      controller_(scenario, vessel, dx, std::move(slabs)), solver_{.relaxation = scenario.pressure.relaxation,
-                                                                   .tolerance =
-                                                                       scenario.pressure.tolerance_per_s,
-                                                                   .max_tolerance =
-                                                                       scenario.pressure.max_tolerance_per_s,
-                                                                   .max_iterations =
-                                                                       scenario.pressure.max_iterations},
+      controller_(scenario, vessel, dx, std::move(patterns)),
+      solver_{.relaxation = scenario.pressure.relaxation,
+              .tolerance = scenario.pressure.tolerance_per_s,
+              .max_tolerance = scenario.pressure.max_tolerance_per_s,
+              .max_iterations = scenario.pressure.max_iterations},
       correction_{.relaxation = scenario.pressure.relaxation,
                   .tolerance = scenario.pressure.correction_tolerance_per_s,
                   .max_tolerance = scenario.pressure.correction_max_tolerance_per_s,

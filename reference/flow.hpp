@@ -58,9 +58,10 @@ struct FlowHooks {
 class Flow
 {
 public:
-    /// `slabs`: the open ends' ghosts as sampled.
+    /// `patterns`: the open ends' buffers as sampled.
     /// \throws InputError when a step is longer than the flow stays stable for
-    Flow(const Scenario& scenario, const Vessel& vessel, double dx, std::array<std::vector<Vec3>, 3> slabs);
+    Flow(const Scenario& scenario, const Vessel& vessel, double dx,
+         std::array<std::vector<Vec3>, 3> patterns);
 
     double particle_mass() const { return mass_; } ///< rho_0 / sum of W over the lattice [kg]
     /// W of all sums.

@@ -118,7 +118,7 @@ FrameRecord Simulation::advance(const Solved& solved, FlowObserver* observer)
     return record;
 }
 
-/// Blood that is far from the breach, or comes within sight of an open end's ghosts, returns to the reserve.
+/// Blood that is far from the breach, or comes within sight of an open end, returns to the reserve.
 void Simulation::recycle_escaped(SimulationState& state, const Wall& wall) const
 {
     const double far = scenario_.rupture.recycle_distance_radii * scenario_.vessel.radius_m;

@@ -17,9 +17,10 @@ namespace
 
 using namespace output;
 
-double spacing_of(const Scenario& scenario, const Vessel& vessel)
+double spacing_of(const Scenario& scenario)
 {
-    return sample(scenario, vessel, reference::daughter_radius(scenario.vessel.radius_m), std::nullopt)
+    return sample(scenario, reference::vessel_of(scenario),
+                  reference::daughter_radius(scenario.vessel.radius_m), std::nullopt)
         .spacing;
 }
 
@@ -35,18 +36,13 @@ std::string numbers_of(const FrameRecord& r)
 {
     using report::printed;
     return printed("t = %.3f s", r.time) + "   " + std::string(name_of(r.phase)) +
-           printed("   F_b = %.4g N", r.impact_force) + printed("   P_c = %.4g Pa", r.critical_pressure) +
+           printed("   load = %.4g N", r.wall_load) + printed("   P_c = %.4g Pa", r.critical_pressure) +
            printed("   R = %.4g m", r.radius) + printed("   h = %.4g mm", 1000 * r.thickness);
 }
 
-Vessel vessel_of(const Scenario& scenario)
-{
-    return {scenario, reference::daughter_radius(scenario.vessel.radius_m)};
-}
-
 Studio::Studio(const RecordedRun& run, const StudioOptions& options)
-    : run_(run), options_(options), scene_(run.scenario(), vessel_of(run.scenario()),
-                                           spacing_of(run.scenario(), vessel_of(run.scenario()))),
+    : run_(run), options_(options),
+      scene_(run.scenario(), reference::vessel_of(run.scenario()), spacing_of(run.scenario())),
       canvas_(options.width, options.height),
       font_(std::max(9, std::min(options.width, options.height) / (options.tile ? 24 : 52)) *
             canvas_.samples()),

@@ -52,7 +52,4 @@ pictures::Image color_bar_strip(int width, int height, int font, pictures::Quant
 /// "t = 2.400 s   growing   F_b = 812 N   P_c = 3098 Pa   R = 0.3932 m   h = 10.43 mm"
 std::string numbers_of(const FrameRecord& record);
 
-/// The artery of a scenario, with the daughters of (24).
-Vessel vessel_of(const Scenario& scenario);
-
 } // namespace aneurysm::app

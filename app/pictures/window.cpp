@@ -4,6 +4,7 @@
 #include "app/pictures/studio.hpp"
 #include "common/exception.hpp"
 #include "output/columns.hpp"
+#include "reference/bifurcation.hpp"
 
 #include <vtkCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -58,7 +59,7 @@ vtkSmartPointer<vtkRenderer> make_white(double from)
 
 Window::Window(const Scenario& scenario, double spacing, Worker& worker, std::int64_t last, int width,
                int height)
-    : scenario_(scenario), worker_(worker), last_(last), scene_(scenario, vessel_of(scenario), spacing),
+    : scenario_(scenario), worker_(worker), last_(last), scene_(scenario, reference::vessel_of(scenario), spacing),
       overlay_(scene_.renderer(), font), impact_(pictures::FrameChart::Content::impact, font),
       wall_(pictures::FrameChart::Content::wall, font), charts_(make_white(scene_part)),
       window_(vtkSmartPointer<vtkRenderWindow>::New()),

@@ -9,6 +9,11 @@
 namespace aneurysm
 {
 
+bool Descriptor::close()
+{
+    return !is_open() || ::close(std::exchange(number_, none)) == 0;
+}
+
 void fill_standard_descriptors()
 {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {

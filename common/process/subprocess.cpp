@@ -28,9 +28,15 @@ std::vector<char*> pointers_to(std::vector<std::string>& words)
 
 } // namespace
 
+std::filesystem::path program_folder()
+{
+    std::error_code no_proc;
+    return std::filesystem::read_symlink("/proc/self/exe", no_proc).parent_path();
+}
+
 std::string own_program(const std::string& name)
 {
-    return std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
+    return program_folder() / name;
 }
 
 void run_program(const std::vector<std::string>& words, const std::string& advice)

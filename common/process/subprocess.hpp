@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace aneurysm
 {
+
+/// The folder of this program and the project's others; empty where the system has no /proc.
+std::filesystem::path program_folder();
 
 /// The path of another of the project's programs, which lie in one folder.
 std::string own_program(const std::string& name);

@@ -2,6 +2,7 @@
 #include "common/scenario/json.hpp"
 
 #include "common/backend.hpp"
+#include "common/json_depth.hpp"
 #include "common/text.hpp"
 
 #include <algorithm>
@@ -35,11 +36,8 @@ public:
 
     bool operator()(int depth, Json::parse_event_t event, const Json& parsed)
     {
-        constexpr int deepest = 100; // what recursion over the values can stand
-        if (depth > deepest) {
-            throw InputError(place(origin_, path()),
-                             "nested deeper than " + std::to_string(deepest) + " levels",
-                             "allowed: the keys of a scenario");
+        if (depth > deepest_json) {
+            throw InputError(place(origin_, path()), nested_too_deep, "allowed: the keys of a scenario");
         }
         if (event == Json::parse_event_t::object_start) {
             open_.emplace_back();

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace aneurysm
 {
@@ -18,7 +19,7 @@ std::filesystem::path data_directory();
 /// Makes `directory` the data of this program and of those that it starts; the same as ANEURYSM_DATA.
 void use_data_directory(const std::filesystem::path& directory);
 
-/// Reads what is shipped, so that what is missing or damaged is known before anything is computed.
+/// Looks for all that is shipped and reads the scenarios, so that what is missing is known before anything is computed.
 /// \throws InputError
 void require_data();
 
@@ -30,6 +31,8 @@ std::filesystem::path shipped_script(const std::string& name);
 const char* installed_share();
 /// The folder of the sources that this was built from.
 const char* project_sources();
+/// What is in data/, as it was when this was built.
+std::vector<std::string> shipped_files();
 
 /// data/scenarios/NAME.json. \throws InputError
 Scenario shipped_scenario(const std::string& name);

@@ -4,7 +4,6 @@
 #include <vtkFlyingEdges3D.h>
 #include <vtkNew.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace aneurysm::pictures

@@ -32,10 +32,10 @@ def copy_of(scratch, cmake="exit 0"):
     return copy
 
 
-def start(copy, *arguments):
+def start(copy, *arguments, **settings):
     environment = dict(os.environ, PATH=f"{copy}/cmake:{os.environ['PATH']}")
     return subprocess.Popen(["sh", copy / "run.sh", *map(str, arguments)], cwd=copy.parent, env=environment, text=True,
-                            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, **settings)
 
 
 def run(copy, *arguments, code=0):
@@ -81,16 +81,17 @@ def check_building(scratch):
 
 
 def check_interruption(scratch):
-    """What ends run.sh ends the run, which writes a checkpoint."""
+    """What ends run.sh ends the run, which writes a checkpoint, also where the signal reaches both of them."""
     copy = copy_of(scratch)
-    process = start(copy, *fast, "--out", "mine")
-    frames = scratch / "mine/frames.csv"
-    while process.poll() is None and not (frames.exists() and frames.read_text().count("\n") > 3):
-        time.sleep(0.02)
-    process.send_signal(signal.SIGTERM)
-    _, error = process.communicate()
-    expect(process.returncode == 130 and "--resume" in error, f"interrupted: {process.returncode}: {error}")
-    expect((scratch / "mine/checkpoint.h5").exists(), "a checkpoint expected")
+    for name, send in (("mine", os.kill), ("ours", os.killpg)):
+        process = start(copy, *fast, "--out", name, start_new_session=True)
+        frames = scratch / name / "frames.csv"
+        while process.poll() is None and not (frames.exists() and frames.read_text().count("\n") > 3):
+            time.sleep(0.02)
+        send(process.pid, signal.SIGTERM)
+        _, error = process.communicate()
+        expect(process.returncode == 130 and "--resume" in error, f"{name}, interrupted: {process.returncode}: {error}")
+        expect((scratch / name / "checkpoint.h5").exists(), f"{name}: a checkpoint expected")
 
 
 program.check_all(check_arguments, check_refusals, check_building, check_interruption)

@@ -76,7 +76,7 @@ void make_run(const fs::path& directory, const Scenario& scenario, const backend
     output::RunDirectory run = checkpoint
                                    ? output::RunDirectory::resume(directory, *checkpoint, backend->engine())
                                    : output::RunDirectory::create(directory, scenario, backend->engine());
-    const Vessel vessel(scenario, reference::daughter_radius(scenario.vessel.radius_m));
+    const Vessel vessel = reference::vessel_of(scenario);
     output::run_frames(scenario, vessel, scenario.time.frames, *backend, run, on_frame);
 }
 

@@ -17,7 +17,7 @@ namespace aneurysm::reproduction
 class RunStore
 {
 public:
-    /// `jobs`: runs at once; 0: one a core
+    /// `jobs`: runs at once; 0: as many as pay
     RunStore(std::filesystem::path directory, backends::BackendChoice backend, int jobs);
 
     /// Makes all that are missing, several at once, with progress. Their names must differ.

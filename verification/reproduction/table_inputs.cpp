@@ -42,7 +42,7 @@ struct Widths {
 
 Widths measure(const Scenario& scenario)
 {
-    const Vessel vessel(scenario, reference::daughter_radius(scenario.vessel.radius_m));
+    const Vessel vessel = reference::vessel_of(scenario);
     const double R = vessel.largest_radius();
     Widths widths{2 * half_width(vessel, R, vessel.apex()), 0};
     constexpr int samples = 2000;

@@ -33,7 +33,7 @@ reference::Deform deform_of(const Scenario& scenario, const Vessel& vessel)
 
 WallHistory wall_along(const Scenario& scenario, std::span<const FrameRecord> records)
 {
-    const Vessel vessel(scenario, reference::daughter_radius(scenario.vessel.radius_m));
+    const Vessel vessel = reference::vessel_of(scenario);
     const reference::Deform deform = deform_of(scenario, vessel);
     WallHistory history;
     AneurysmState wall = first_wall(scenario);
@@ -59,7 +59,7 @@ WallHistory wall_along(const Scenario& scenario, std::span<const FrameRecord> re
 
 std::vector<WallFrame> wall_under(const Scenario& scenario, double impact, std::int64_t frames)
 {
-    const Vessel vessel(scenario, reference::daughter_radius(scenario.vessel.radius_m));
+    const Vessel vessel = reference::vessel_of(scenario);
     const reference::Deform deform = deform_of(scenario, vessel);
     std::vector<WallFrame> history;
     AneurysmState wall = first_wall(scenario);
