@@ -233,6 +233,7 @@ private:
         memory_.make(f.acceleration, n_);
         memory_.make(f.solved_velocity, n_ + 1);
         memory_.make(f.correction, n_ + 1);
+        memory_.make(f.shift, n_ + 1);
         memory_.make(f.impact, n_);
         memory_.make(f.impact_eos, n_);
         memory_.make(f.reserve_rank, n_ + 1);
@@ -302,6 +303,7 @@ private:
         executor_->upload(f.body_drift + at, &zero, 1);
         executor_->upload(f.solved_velocity + at, &zeros, 1);
         executor_->upload(f.correction + at, &zeros, 1);
+        executor_->upload(f.shift + at, &zeros, 1);
         executor_->upload(f.p + at, &zero, 1);
     }
 

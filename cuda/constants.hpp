@@ -91,6 +91,7 @@ Constants<Real> make_constants(const Scenario& s, const Setup& setup)
     c.mu = real(s.fluid.viscosity_pa_s);
     c.kappa = real(s.pressure.stiffness_m2_s2);
     c.omega = real(s.pressure.relaxation);
+    c.shifting = real(s.pressure.shifting);
     c.blow_up_ratio = real(s.pressure.blow_up_density_ratio);
     c.impact_band = real(s.rupture.impact_band_spacings * setup.lattice.spacing);
     c.refill_distance = real(s.controller.refill_distance_spacings * setup.lattice.spacing);

@@ -56,8 +56,9 @@ struct Constants {
     Real mass = 0;
     Real rho_0 = 0;
     Real mu = 0;
-    Real kappa = 0; ///< of the equation of state
-    Real omega = 0; ///< of the pressure's iteration
+    Real kappa = 0;    ///< of the equation of state
+    Real omega = 0;    ///< of the pressure's iteration
+    Real shifting = 0; ///< beta of the shifts
     Real blow_up_ratio = 0;
     Real impact_band = 0;      ///< [m]
     Real refill_distance = 0;  ///< a place in a buffer's far layer is filled where blood is farther away [m]
@@ -168,6 +169,7 @@ struct Fields {
     Row<Real>* force = nullptr;           ///< (7) [N/m^3]
     Row<Real>* acceleration = nullptr;    ///< of the blood's own pressure [m/s^2]
     Row<Real>* solved_velocity = nullptr; ///< at the end of the step [m/s]
+    Row<Real>* shift = nullptr;           ///< to where its neighbors lie evenly around a particle [m]
     Row<Real>* correction = nullptr;      ///< what the density's correction moves by in dt [m/s]
 
     // of a solve of (3), sorted, [particles + 1]

@@ -187,7 +187,7 @@ struct KeepPressure {
 };
 
 /// Eq. (5) after all have gone their ways x' - x, over the neighbors that they had before, and what they have
-/// added to it beyond dt Drho/Dt, the drift c_i:
+/// added to it beyond dt Drho/Dt, the drift c_i; for the correction their shifts are ways, too:
 ///
 ///     rho*_i = sum_j m_j W(|r_ij + x'_i - x_i - (x'_j - x_j)|)                                 [kg/m^3]
 template <class Real>
@@ -206,25 +206,31 @@ private:
         using Number = Lanes<Real>;
         const Number dt(f.c.dt);
         const Vec3T<Number> own_way = dt * all_lanes(f.solved_velocity[i].vector());
+        const Vec3T<Number> own_shift = all_lanes(f.shift[i].vector());
         Number rho;
+        Number rho_shifted;
+        const auto add = [&](const Number& m, const Vec3T<Number>& x, const Vec3T<Number>& shift) {
+            const Vec3T<Number> shifted = x + shift;
+            rho += m * f.c.kernel.value(sqrt(dot(x, x)));
+            rho_shifted += m * f.c.kernel.value(sqrt(dot(shifted, shifted)));
+        };
         for (Index b = f.blood.begin[i]; b < f.blood.begin[i + 1]; ++b) {
             const Lanes<Index> j = neighbors(f.blood, b, lane);
             const Pairs<Real> pair = pairs<periodic>(f, i, j);
             const Vec3T<Number> way = dt * gather_rows(f.solved_velocity, j).vector();
-            const Vec3T<Number> x = pair.x + own_way - way;
-            rho += pair.m * f.c.kernel.value(sqrt(dot(x, x)));
+            add(pair.m, pair.x + own_way - way, own_shift - gather_rows(f.shift, j).vector());
         }
         for (Index b = f.walls.begin[i]; b < f.walls.begin[i + 1]; ++b) {
             const Pairs<Real> pair = pairs<periodic>(f, i, neighbors(f.walls, b, lane));
-            const Vec3T<Number> x = pair.x + own_way;
-            rho += pair.m * f.c.kernel.value(sqrt(dot(x, x)));
+            add(pair.m, pair.x + own_way, own_shift);
         }
         const Real own = f.c.mass * first(f.c.kernel.value(Number(0)));
         const Real predicted = sum(rho, lane) + own;
+        const Real shifted = sum(rho_shifted, lane) + own;
         if (lane.is_first()) {
             const Real drift = predicted - f.body_velocity[i].w - f.c.dt * f.rate[i];
             f.drift[f.order[i]] = f.is_driven[i] == 1 ? 0 : drift;
-            f.source[i] = predicted;
+            f.source[i] = shifted;
         }
     }
 };
@@ -234,7 +240,7 @@ template <class Real>
 ANEURYSM_HD Vec3T<Real> moved_by(const Fields<Real>& f, Index s)
 {
     const Vec3T<Real> way = f.c.dt * f.solved_velocity[s].vector();
-    return f.c.corrects_density ? way + f.c.dt * f.correction[s].vector() : way;
+    return f.c.corrects_density ? way + f.shift[s].vector() + f.c.dt * f.correction[s].vector() : way;
 }
 
 /// Moves all that is not in the reserve, and writes the step's results back by id.

@@ -148,14 +148,15 @@ struct PoseCorrection {
     }
 
 private:
-    /// Beside a void, or in the far layers of a buffer: nothing pulls there.
+    /// Beside a void, outside of the wall, or in the far layers of a buffer: nothing pulls there.
     ANEURYSM_HD bool is_open(Index i) const
     {
+        const Kind kind = f.kind[f.order[i]];
         const Vec3T<Real> x = f.body_position[i].vector();
         const Real rho = f.body_velocity[i].w;
         const Real far = static_cast<Real>(opening_layers - guards::open_layers) * f.c.dx;
-        const bool in_buffer = open_end(f.kind[f.order[i]]) >= 0;
-        return (in_buffer && opening(f, nearest_tube(f, x)).beyond(x) > far) ||
+        const bool in_buffer = open_end(kind) >= 0;
+        return kind == Kind::escaped || (in_buffer && opening(f, nearest_tube(f, x)).beyond(x) > far) ||
                rho < static_cast<Real>(guards::void_density) * f.c.rho_0;
     }
 };

@@ -6,6 +6,7 @@
 #include "cuda/executor/executor.hpp"
 #include "cuda/flow.hpp"
 #include "cuda/impact.hpp"
+#include "cuda/shifting.hpp"
 
 namespace aneurysm::device
 {
@@ -170,6 +171,7 @@ private:
         const SolveLimits limits{static_cast<Index>(pressure.correction_max_iterations),
                                  pressure.correction_tolerance_per_s,
                                  pressure.correction_max_tolerance_per_s};
+        executor_->for_each(blood_of(f), ShiftBlood<Real>{f});
         executor_->for_each_group(blood_of(f), PredictDensities<Real>{f});
         solve_correction(f, pressure.density_correction, true, limits, false);
         executor_->mark("correction");

@@ -171,7 +171,7 @@ FlowStep Flow::make_step(const SimulationState& state, const Wall& wall) const
     const bool slips = scenario_->domain.wall == WallCondition::slip;
     b.role.resize(b.size(), slips ? Role::slip : Role::mirror);
     Neighbors neighbors(b, kernel_, vessel_->period());
-    FlowStep step{std::move(b), std::move(neighbors), {}, {}, {}, {}, {}, p.velocity, {}, {}};
+    FlowStep step{std::move(b), std::move(neighbors), {}, {}, {}, {}, {}, p.velocity, {}, {}, {}};
     step.rho.assign(step.bodies.size(), scenario_->fluid.density_kg_m3);
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (step.bodies.blood(i)) {
@@ -227,8 +227,8 @@ void Flow::move(const FlowStep& step, SimulationState& state) const
         if (p.kind[i] == Kind::reserve) {
             continue;
         }
-        const Vec3 way = dt_ * step.velocity[i];
-        const double distance = length(way + step.correction[i]);
+        const Vec3 way = dt_ * step.velocity[i] + step.shift[i] + step.correction[i];
+        const double distance = length(way);
         if (!(distance < kernel_.support())) { // NaN too
             throw SimulationError(place(state, i),
                                   "it moves by " + std::to_string(distance) +
@@ -236,7 +236,7 @@ void Flow::move(const FlowStep& step, SimulationState& state) const
                                   "more time.substeps, or a stiffer pressure model");
         }
         p.velocity[i] = step.velocity[i];
-        p.position[i] = vessel_->wrapped(p.position[i] + way + step.correction[i]);
+        p.position[i] = vessel_->wrapped(p.position[i] + way);
     }
 }
 

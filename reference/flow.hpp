@@ -110,6 +110,7 @@ private:
     bool corrects_density() const;
     std::vector<double> pressure_source(const FlowStep& step, const Particles& p) const;
     std::vector<double> predicted_density(const FlowStep& step, std::span<const Vec3> way) const;
+    void shift_blood(FlowStep& step, const Particles& p) const;
     void correct_density(FlowStep& step, Particles& p, FrameRecord& record, std::span<const double> solved);
     /// One correction of the density.
     struct Correction {

@@ -4,6 +4,7 @@
 #include "common/guards.hpp"
 #include "reference/boundary.hpp"
 #include "reference/flow.hpp"
+#include "reference/shifting.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -159,11 +160,25 @@ std::vector<double> Flow::predicted_density(const FlowStep& step, std::span<cons
     return rho;
 }
 
-/// The correction of the density, and what the straight ways have added to it beyond dt Drho/Dt, c_i. `solved`:
-/// not empty: its potential.
+/// The shifts of what flows freely. Beside a void evenly spread would mean apart.
+void Flow::shift_blood(FlowStep& step, const Particles& p) const
+{
+    const double rho_0 = scenario_->fluid.density_kg_m3;
+    step.shift.assign(p.size(), {});
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (p.kind[i] == Kind::fluid && step.rho[i] >= guards::void_density * rho_0) {
+            step.shift[i] =
+                shift(step.bodies, step.neighbors.of(i), rho_0, dx_, scenario_->pressure.shifting);
+        }
+    }
+}
+
+/// The correction of the density, shifts included, and what the straight ways alone have added to it beyond dt Drho/Dt,
+/// c_i. `solved`: not empty: its potential.
 void Flow::correct_density(FlowStep& step, Particles& p, FrameRecord& record, std::span<const double> solved)
 {
     const Bodies& b = step.bodies;
+    step.shift.assign(p.size(), {});
     step.correction.assign(p.size(), {});
     solved_kappa_ = p.kappa;
     if (!corrects_density()) {
@@ -173,12 +188,16 @@ void Flow::correct_density(FlowStep& step, Particles& p, FrameRecord& record, st
     std::ranges::copy(step.velocity, velocity.begin());
     std::vector<Vec3> way(b.size());
     std::ranges::transform(velocity, way.begin(), [this](const Vec3& v) { return dt_ * v; });
-    const std::vector<double> rho = predicted_density(step, way);
+    const std::vector<double> straight = predicted_density(step, way);
     const IncompressibleProblem given{
         &b, &step.neighbors, Given::mirrors, scenario_->fluid.density_kg_m3, dt_, {}, {}};
     for (std::size_t i = 0; i < p.size(); ++i) {
-        p.drift[i] = b.free(i) ? rho[i] - step.rho[i] - dt_ * density_rate(given, velocity, i) : 0;
+        p.drift[i] = b.free(i) ? straight[i] - step.rho[i] - dt_ * density_rate(given, velocity, i) : 0;
     }
+    shift_blood(step, p);
+    std::transform(step.shift.begin(), step.shift.end(), way.begin(), way.begin(),
+                   [](const Vec3& s, const Vec3& w) { return w + s; });
+    const std::vector<double> rho = predicted_density(step, way);
     std::vector<double> kappa(b.size(), 0);
     std::ranges::copy(solved.empty() ? std::span<const double>(p.kappa) : solved, kappa.begin());
     Correction whole{scenario_->pressure.density_correction, true, correction_};
@@ -193,7 +212,7 @@ void Flow::correct_density(FlowStep& step, Particles& p, FrameRecord& record, st
 ///
 ///     beta (rho_i - rho_0) / dt + Drho_i/Dt((x' - x) / dt) = 0
 ///
-/// kappa >= 0 beside a void and in the far layers of a buffer: nothing pulls there; and everywhere for a correction that
+/// kappa >= 0 beside a void, outside of the wall and in the far layers of a buffer: nothing pulls there; and everywhere for a correction that
 /// only pushes, from which walls are mirrors, so that blood keeps its distance from them.
 IncompressibleReport Flow::solve_correction(const FlowStep& step, const Particles& p,
                                             std::span<const double> rho, const Correction& how,
@@ -208,7 +227,8 @@ IncompressibleReport Flow::solve_correction(const FlowStep& step, const Particle
         const bool in_buffer = p.kind[i] != Kind::fluid && p.kind[i] != Kind::escaped;
         const double beyond = vessel_->openings()[vessel_->nearest_tube(p.position[i])].beyond(p.position[i]);
         const bool far = in_buffer && beyond > (opening_layers - guards::open_layers) * dx_;
-        lowest[i] = !how.pulls || far || step.rho[i] < guards::void_density * rho_0 ? 0 : lowest[i];
+        const bool is_free = p.kind[i] == Kind::escaped || step.rho[i] < guards::void_density * rho_0;
+        lowest[i] = !how.pulls || far || is_free ? 0 : lowest[i];
     }
     const Given given = how.pulls ? Given::at_rest : Given::mirrors;
     std::vector<Vec3> a(b.size());

@@ -32,6 +32,7 @@ struct FlowStep {
     std::vector<double> pressure;   ///< by body, as the solve left it [Pa]
     std::vector<Vec3> F_pressure;   ///< by particle [N/m^3]
     std::vector<Vec3> velocity;     ///< by particle, at the end of the step [m/s]
+    std::vector<Vec3> shift;        ///< by particle, to where its neighbors lie evenly around it [m]
     std::vector<Vec3> correction;   ///< by particle, what the density moves it by beyond that [m]
     IncompressibleReport corrected; ///< how the solve for it ended
 };

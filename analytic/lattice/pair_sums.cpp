@@ -147,14 +147,26 @@ Estimate pair_density(const Cloud& c, std::size_t i)
         [&](std::size_t j) { return c.mass[j]; });
 }
 
-Estimate pair_density_ahead(const Cloud& c, const std::vector<Vector3d>& way, std::size_t i)
+Estimate pair_density_ahead(const Cloud& c, const std::vector<Vector3d>& way, std::size_t i, double way_error)
 {
-    return scalar_sum(
+    double slopes = 0;
+    Estimate ahead = scalar_sum(
         c, c.position[i], largest_kernel(c),
         [&](std::size_t j, const Vector3d& x) {
+            slopes += c.mass[j] * largest_slope(c);
             return c.mass[j] * kernel(c.kernel, c.h, (x + way[i] - way[j]).norm());
         },
         [&](std::size_t j) { return c.mass[j]; }, 8);
+    ahead.error += 2 * way_error * slopes;
+    return ahead;
+}
+
+VectorEstimate pair_shift(const Cloud& c, double rho_0, double dx, double beta, std::size_t i)
+{
+    const auto factor = [&](std::size_t j) { return -beta * dx * dx * c.mass[j] / rho_0; };
+    return sum_over_pairs(
+        c, c.position[i], largest_slope(c),
+        [&](std::size_t j, const Vector3d& x) { return Vector3d(factor(j) * gradient(c, x)); }, factor, 6);
 }
 
 Estimate pair_mean(const Cloud& c, const std::vector<double>& A, std::size_t i)

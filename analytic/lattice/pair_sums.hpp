@@ -41,8 +41,13 @@ Estimate pair_interpolation(const Cloud& cloud, const Eigen::Vector3d& r);
 /// Eq. (5)  sum_j m_j W_ij [kg/m^3].
 Estimate pair_density(const Cloud& cloud, std::size_t i);
 
-/// Eq. (5)  sum_j m_j W(r_ij + way_i - way_j) over those that are neighbors before they go their ways [kg/m^3].
-Estimate pair_density_ahead(const Cloud& cloud, const std::vector<Eigen::Vector3d>& way, std::size_t i);
+/// Eq. (5)  sum_j m_j W(r_ij + way_i - way_j) over those that are neighbors before they go their ways, which are known to
+/// way_error [kg/m^3].
+Estimate pair_density_ahead(const Cloud& cloud, const std::vector<Eigen::Vector3d>& way, std::size_t i,
+                            double way_error = 0);
+
+/// Shift -beta dx^2 sum_j m_j/rho_0 grad W_ij [m].
+VectorEstimate pair_shift(const Cloud& cloud, double rho_0, double dx, double beta, std::size_t i);
 
 /// Shepard's mean sum_j A_j W_ij / sum_j W_ij over the bodies that have an A and a mass [A].
 Estimate pair_mean(const Cloud& cloud, const std::vector<double>& A, std::size_t i);

@@ -164,6 +164,9 @@ void visit_flow(S& s, const Row& v)
       "relaxation omega, the step of the pressure iteration, model dfsph");
     v(p.density_correction, "pressure.density_correction", from(0).to(1), assumed(),
       "part of the density error that one step removes, 0: density isn't corrected; model dfsph");
+    v(p.shifting, "pressure.shifting", from(0).to(0.25), assumed(),
+      "strength of the shifts by which a step spreads particles evenly, in squares of a spacing, 0: none; where the "
+      "density is corrected");
     v(p.correction_tolerance_per_s, "pressure.correction_tolerance_per_s", above(0), assumed(),
       "largest mean |residual| of the density's correction as a rate [1/s]");
     v(p.correction_max_tolerance_per_s, "pressure.correction_max_tolerance_per_s", above(0), assumed(),

@@ -78,6 +78,7 @@ struct Scenario {
         double stiffness_m2_s2 = 0; ///< kappa of the equation of state; drives the flow only in model `eos`
         double relaxation = 0;      ///< omega, the step of the pressure iteration, model `dfsph`
         double density_correction = 0; ///< beta: part of the density error that one step removes, 0 to 1
+        double shifting = 0; ///< beta of the particles' shifts, beside the correction of the density
         double correction_tolerance_per_s = 0;     ///< as the next two, for the correction of the density
         double correction_max_tolerance_per_s = 0; ///< [1/s]
         std::int64_t correction_max_iterations = 0;

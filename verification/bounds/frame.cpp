@@ -165,7 +165,7 @@ void FrameBounds::bound_particles(const SimulationState& state, const StepBounds
         }
         const double way = dt * length(p.velocity[i]) + length(bounds.way(i));
         errors_->position[i] +=
-            dt * errors_->velocity[i] + bounds.correction[i] + 2 * way + 2 * length(p.position[i]);
+            dt * errors_->velocity[i] + bounds.correction[i] + 3 * way + 2 * length(p.position[i]);
         errors_->position[i] +=
             seam_error(p.position[i], way + rounding_.absolute(errors_->position[i]), box);
     }

@@ -34,6 +34,8 @@ public:
     /// a rounding is off by a part of that instead, 2^-24 or 2^-53 of it: this covers millions of them.
     double absolute(double units) const { return units == 0 ? 0 : 1.01 * unit_ * units + smallest_normal_; }
     double units(double absolute) const { return absolute / unit_; }
+    /// What is lost of a norm whose components' squares lie below the smallest normal number, in units of U.
+    double lost_in_norm() const { return units(std::sqrt(4 * unit_ * smallest_normal_)); }
 
 private:
     double unit_;

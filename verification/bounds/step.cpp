@@ -8,7 +8,9 @@
 #include "verification/bounds/seam.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace aneurysm::bounds
 {
@@ -24,7 +26,7 @@ StepBounds::StepBounds(const Scenario& scenario, double h, const Rounding& round
       dt_(scenario.time.frame_s / static_cast<double>(scenario.time.substeps)), h_(h), rounding_(rounding),
       kernel_(scenario.kernel.function, h), in_(&input), count_(input.moved.size()),
       begin_(input.bodies.size() + 1, 0), start_velocity_error_(velocity), viscosity_(density),
-      acceleration_(density), predicted_(density), predicted_error_(density)
+      acceleration_(density), shift_error_(density), predicted_(density), predicted_error_(density)
 {
     find_pairs();
     bound_density();
@@ -33,6 +35,7 @@ StepBounds::StepBounds(const Scenario& scenario, double h, const Rounding& round
     bound_pressure();
     bound_divergence();
     if (corrects_density()) {
+        bound_shift();
         bound_prediction();
         bound_correction();
     }
@@ -266,38 +269,77 @@ double StepBounds::source_error(std::size_t i) const
     return (mean.error(rounding_) + missing_error + 3 * (std::abs(mean.value()) + missing)) / dt_;
 }
 
-/// rho* = sum m W(r_ij + dt v_i - dt v_j), and the drift rho* - rho - dt Drho/Dt. A neighbor at the edge of
-/// the support, which only one of the two may see, counts as a whole where its way leads inside.
+/// s = -beta dx^2 / rho_0 sum m grad W; the candidate's factor has five roundings, its product with the sum one.
+void StepBounds::bound_shift()
+{
+    const double dx = h_ / scenario_->kernel.smoothing_length_spacings;
+    const double factor = scenario_->pressure.shifting * dx * dx / rho_0_;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const bool stays = in_->driven.particles.kind[i] != Kind::fluid ||
+                           rho(i) < guards::void_density * rho_0_; // see void_open
+        if (stays) {
+            continue;
+        }
+        SumBound sum;
+        for (const Pair& n : pairs(i)) {
+            sum.add(in_->bodies.mass[n.j], in_->mass_error[n.j], {1, 0}, n.kernel.grad_W);
+        }
+        shift_error_[i] = factor * sum.error(terms(i) + 2) + 6 * length(in_->step.shift[i]);
+    }
+}
+
+/// sum m W(r_ij + way_i - way_j). A neighbor at the edge of the support, which only one of the two may see, counts as a
+/// whole where its way leads inside. `way`: of a body, with its error before its last rounding [m].
+template <class Way>
+StepBounds::Prediction StepBounds::predicted_density(std::size_t i, const Way& way) const
+{
+    const reference::Bodies& b = in_->bodies;
+    Prediction prediction;
+    SumBound sum;
+    const auto [way_i, error_i] = way(i);
+    for (const Pair& n : pairs(i)) {
+        if (n.seen == Truth::no) {
+            continue;
+        }
+        const auto [way_j, error_j] = way(n.j);
+        const Vec3 x = reference::difference(b.position[i], b.position[n.j], in_->box);
+        // The ways round twice, the sums twice each; a body's distance to itself stays 0.
+        const double ways = length(way_i) + length(way_j);
+        const double error = n.difference + error_i + error_j + 4 * ways + 3 * length(x);
+        const Inexact W = kernel_.of(length(x + way_i - way_j), n.j == i ? 0 : error).W;
+        prediction.rho += b.mass[n.j] * W.value;
+        sum.add(b.mass[n.j], in_->mass_error[n.j], {1, 0}, W);
+        prediction.jump += n.seen == Truth::open ? rounding_.units(b.mass[n.j] * W.value) : 0;
+    }
+    const double error = sum.error(terms(i) + 2);
+    prediction.error = error + prediction.jump;
+    return prediction;
+}
+
+/// rho* of the straight ways dt v, and the drift rho* - rho - dt Drho/Dt; and rho* with the shifts, which the correction
+/// starts from.
 void StepBounds::bound_prediction()
 {
+    const auto straight = [this](std::size_t j) {
+        return std::pair{dt_ * end_velocity(j), dt_ * end_velocity_error(j)};
+    };
+    const auto shifted = [&](std::size_t j) {
+        auto [way, error] = straight(j);
+        const Vec3 shift = j < count_ ? in_->step.shift[j] : Vec3{};
+        return std::pair{way + shift, error + length(shift) + (j < count_ ? shift_error_[j] : 0)};
+    };
     const reference::Bodies& b = in_->bodies;
     for (std::size_t i = 0; i < count_; ++i) {
         if (!b.blood(i)) {
             continue;
         }
-        SumBound sum;
-        double jump = 0;
-        const Vec3 way = dt_ * end_velocity(i);
-        for (const Pair& n : pairs(i)) {
-            if (n.seen == Truth::no) {
-                continue;
-            }
-            const Vec3 way_j = dt_ * end_velocity(n.j);
-            const Vec3 x = reference::difference(b.position[i], b.position[n.j], in_->box);
-            // The ways round twice, the sums once each; a body's distance to itself stays 0.
-            const double ways = length(way) + length(way_j);
-            const double error = n.difference + dt_ * (end_velocity_error(i) + end_velocity_error(n.j)) +
-                                 3 * ways + 2 * length(x);
-            const Inexact W = kernel_.of(length(x + way - way_j), n.j == i ? 0 : error).W;
-            predicted_[i] += b.mass[n.j] * W.value;
-            sum.add(b.mass[n.j], in_->mass_error[n.j], {1, 0}, W);
-            jump += n.seen == Truth::open ? rounding_.units(b.mass[n.j] * W.value) : 0;
-        }
-        const double error = sum.error(terms(i) + 2);
-        open[i] = jump > error;
-        predicted_error_[i] = error + jump;
-        drift[i] =
-            b.free(i) ? predicted_error_[i] + density[i] + dt_ * rho_0_ * divergence[i] + 3 * rho(i) : 0;
+        const Prediction without = predicted_density(i, straight);
+        const Prediction with = predicted_density(i, shifted);
+        predicted_[i] = with.rho;
+        predicted_error_[i] = with.error;
+        open[i] = std::ranges::any_of(std::array{without, with},
+                                      [](const Prediction& p) { return p.jump > p.error - p.jump; });
+        drift[i] = b.free(i) ? without.error + density[i] + dt_ * rho_0_ * divergence[i] + 3 * rho(i) : 0;
     }
 }
 
@@ -326,6 +368,9 @@ void StepBounds::bound_correction()
         const double source = beta * (predicted_error_[i] + rho_0_ + 4 * excess);
         correction_residual[i] = (source + sum.error(terms(i) + 6) + sum.size()) / (dt_ * rho_0_);
     }
+    for (std::size_t i = 0; i < count_; ++i) { // of the whole way
+        correction[i] += shift_error_[i] + length(in_->step.shift[i]);
+    }
 }
 
 /// As dfsph_error; only blood has a potential.
@@ -353,7 +398,7 @@ InexactForce StepBounds::force(std::size_t i) const
         const double error = density[i] * length(g) + rho(i) * in_->body_force.error + viscosity_[i] +
                              pressure_error + 4 * magnitude;
         const double F = length(m / rho(i) * force);
-        return Inexact{F, m / rho(i) * error + F * (density[i] / rho(i) + 7)};
+        return Inexact{F, m / rho(i) * error + F * (density[i] / rho(i) + 7) + rounding_.lost_in_norm()};
     };
     std::vector<double> p(in_->bodies.size(), 0);
     std::vector<double> p_error(in_->bodies.size(), 0);

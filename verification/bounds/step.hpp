@@ -47,8 +47,8 @@ public:
 
     /// (16) for one particle.
     InexactForce force(std::size_t i) const;
-    /// How far the density moves a particle.
-    const Vec3& way(std::size_t i) const { return in_->step.correction[i]; }
+    /// How far its shift and the density move a particle.
+    Vec3 way(std::size_t i) const { return in_->step.shift[i] + in_->step.correction[i]; }
 
     std::vector<double> density;             ///< (5) [kg/m^3]
     std::vector<double> pressure;            ///< by body; 0 in model dfsph, where it is given [Pa]
@@ -56,7 +56,7 @@ public:
     std::vector<double> residual;            ///< of (3) over rho_0 [1/s]
     std::vector<double> divergence;          ///< of the new velocity [1/s]
     std::vector<double> drift;               ///< what straight ways add to the density [kg/m^3]
-    std::vector<double> correction;          ///< of the place by the density [m]
+    std::vector<double> correction;          ///< of the place by shift and density [m]
     std::vector<double> correction_residual; ///< of (3) for it over rho_0 [1/s]
     std::vector<bool>
         open; ///< whether a pair that may not be seen moves what is predicted by more than rounding
@@ -80,6 +80,15 @@ private:
     double eos_error(std::size_t i, std::span<const double> p, std::span<const double> p_error) const;
     void bound_divergence();
     double source_error(std::size_t i) const;
+    void bound_shift();
+    /// rho* and its error.
+    struct Prediction {
+        double rho = 0;   ///< [kg/m^3]
+        double error = 0; ///< [in U]
+        double jump = 0;  ///< of it: by pairs that only one of the two may see
+    };
+    template <class Way>
+    Prediction predicted_density(std::size_t i, const Way& way) const;
     void bound_prediction();
     void bound_correction();
     double kappa_error(std::size_t i) const;
@@ -118,6 +127,7 @@ private:
     std::vector<double> start_velocity_error_; ///< after all but the pressure [in U]
     std::vector<double> viscosity_;            ///< (7) [in U]
     std::vector<double> acceleration_;         ///< by pressure [in U]
+    std::vector<double> shift_error_;          ///< [in U]
     std::vector<double> predicted_;            ///< density after the step's straight ways [kg/m^3]
     std::vector<double> predicted_error_;      ///< [in U]
 };

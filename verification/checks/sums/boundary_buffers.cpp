@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <string>
 
@@ -200,6 +201,7 @@ void by_solve(Probe& probe)
     Quantity& far = probe.quantity("kappa that would pull in the far layers", Source::exact,
                                    "a claim: some, in both buffers, else their bound would not be seen");
     Scenario s = without_iterations(short_duct(), 0.75);
+    s.pressure.shifting = 0.125;
     s.fluid.viscosity_pa_s = 0;
     s.pressure.tolerance_per_s = s.pressure.correction_tolerance_per_s = 1e-300;
     s.pressure.max_iterations = s.pressure.correction_max_iterations = 1;
@@ -232,7 +234,9 @@ void by_solve(Probe& probe)
     for (std::size_t i = 0; i < p.size(); ++i) {
         after.velocity[i] = cloud.free[i] ? to_eigen(flow->state().particles.velocity[i]) : cloud.velocity[i];
     }
-    const auto way = ways_of(after, dt);
+    const Shifts shifts = shifts_of(s, cloud, p.kind);
+    auto way = ways_of(after, dt);
+    std::ranges::transform(way, shifts.way, way.begin(), std::plus<>());
     const auto lowest = [&](std::size_t i) {
         const double y = p.position[i].y;
         const bool is_far =
@@ -262,7 +266,7 @@ void by_solve(Probe& probe)
             const auto expected = of_pressure.potential(i, source, level - s.outlet.pressure_pa);
             pressure.within(flow->solved_pressure()[i], expected.value, expected.error, where);
         }
-        const auto ahead = analytic::pair_density_ahead(after, way, i);
+        const auto ahead = analytic::pair_density_ahead(after, way, i, shifts.error);
         const double beta = s.pressure.density_correction;
         const analytic::Estimate source{beta * (ahead.value - rho_0) / dt,
                                         beta * (ahead.error + rounding(4) * rho_0) / dt};

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 namespace aneurysm::checks
@@ -130,6 +131,7 @@ void by_correction(Probe& probe)
                        "the bounds of both sums (5) and dt times that of (2), for oracle and subject, "
                        "+ gamma_4 of all three");
     Scenario s = without_iterations(plates(), 0.75);
+    s.pressure.shifting = 0.125;
     s.pressure.model = PressureModel::dfsph;
     s.pressure.correction_tolerance_per_s = 1e-300;
     s.pressure.correction_max_iterations = 1;
@@ -145,7 +147,10 @@ void by_correction(Probe& probe)
     const auto flow = probe.simulate(s, before);
     flow->advance();
     const auto cloud = cloud_of(s, before, flow->density());
-    const auto way = ways_of(cloud, dt);
+    const std::vector<Eigen::Vector3d> straight = ways_of(cloud, dt);
+    const Shifts shifts = shifts_of(s, cloud, before.particles.kind);
+    std::vector<Eigen::Vector3d> way = straight;
+    std::ranges::transform(straight, shifts.way, way.begin(), std::plus<>());
     auto at_rest = cloud;
     at_rest.given = analytic::Given::at_rest;
     std::ranges::fill(at_rest.velocity, Eigen::Vector3d::Zero());
@@ -156,14 +161,15 @@ void by_correction(Probe& probe)
     for (std::size_t i = 0; i < n; ++i) {
         const std::string where = "particle " + std::to_string(i);
         const auto rho = analytic::pair_density(cloud, i);
-        const auto ahead = analytic::pair_density_ahead(cloud, way, i);
+        const auto ahead = analytic::pair_density_ahead(cloud, straight, i);
+        const auto shifted = analytic::pair_density_ahead(cloud, way, i, shifts.error);
         const auto rate = analytic::pair_density_rate(cloud, i);
         drift.within(flow->state().particles.drift[i], ahead.value - rho.value - dt * rate.value,
                      both(ahead.error + rho.error + dt * rate.error, u) +
                          probe.gamma(4) * (ahead.value + rho.value + dt * std::abs(rate.value)),
                      where);
-        const analytic::Estimate source{beta * (ahead.value - rho_0) / dt,
-                                        beta * (ahead.error + rounding(4) * rho_0) / dt};
+        const analytic::Estimate source{beta * (shifted.value - rho_0) / dt,
+                                        beta * (shifted.error + rounding(4) * rho_0) / dt};
         const auto expected = iteration.potential(i, source, lowest_kappa(cloud.density[i], rho_0));
         kappa.within(flow->solved_kappa()[i], expected.value, expected.error, where);
     }

@@ -5,6 +5,7 @@
 #include "common/guards.hpp"
 #include "verification/checks/box.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -46,6 +47,26 @@ inline Scenario without_iterations(Scenario s, double beta)
 inline double lowest_kappa(double density, double rho_0)
 {
     return density < guards::void_density * rho_0 ? 0 : std::numeric_limits<double>::lowest();
+}
+
+/// Shifts of a cloud, and the largest of their errors [m].
+struct Shifts {
+    std::vector<Eigen::Vector3d> way;
+    double error = 0;
+};
+/// Of those that flow freely and have no void beside them.
+inline Shifts shifts_of(const Scenario& s, const analytic::Cloud& cloud, const std::vector<Kind>& kind)
+{
+    const double rho_0 = s.fluid.density_kg_m3;
+    Shifts shifts{std::vector<Eigen::Vector3d>(cloud.position.size(), Eigen::Vector3d::Zero()), 0};
+    for (std::size_t i = 0; i < kind.size(); ++i) {
+        if (kind[i] == Kind::fluid && cloud.density[i] >= guards::void_density * rho_0) {
+            const auto shift = analytic::pair_shift(cloud, rho_0, s.domain.spacing_m, s.pressure.shifting, i);
+            shifts.way[i] = shift.value;
+            shifts.error = std::max(shifts.error, shift.error);
+        }
+    }
+    return shifts;
 }
 
 /// Each velocity times dt [m].

@@ -29,6 +29,7 @@ Scenario plates(int rows)
     s.fluid.gravity_cycle_s = 0;
     s.pressure.relaxation = 0.2;
     s.pressure.density_correction = 0; // else a fresh start settles
+    s.pressure.shifting = 0;
     return s;
 }
 
