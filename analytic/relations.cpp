@@ -52,10 +52,10 @@ double wall_law_imbalance(const WallState& w, double dR, double dP)
     return imbalance({by_pressure, by_radius, by_thickness, -by_porosity});
 }
 
-double excess(double F_b, double area, double P_c)
+double excess(double F, double area, double P_c)
 {
     const Precise force = Precise(P_c) * area;
-    return static_cast<double>((F_b - force) / force);
+    return static_cast<double>((F - force) / force);
 }
 
 double load_imbalance(double F_b, double M, double m, double F)

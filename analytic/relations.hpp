@@ -41,8 +41,8 @@ struct WallState {
 /// thinning (9) is that which (11) gains by (10).
 double wall_law_imbalance(const WallState& wall, double dR, double dP);
 
-/// Section 3.2's criterion: (F_b - P_c area)/(P_c area), exactly.
-double excess(double F_b, double area, double P_c);
+/// Section 3.2's criterion: (F - P_c area)/(P_c area) of the load F, exactly.
+double excess(double F, double area, double P_c);
 
 /// The wall's load F of (16): F m = F_b M.
 double load_imbalance(double F_b, double M, double m, double F);

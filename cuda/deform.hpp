@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a frame's impact does to the sac: growth, the elastic wall (28) and, when F_b > P_c, rupture.
+// What a frame's impact does to the sac: growth, the elastic wall (28) and, when the load exceeds P_c, rupture.
 #pragma once
 
 #include "cuda/boundary.hpp"

@@ -99,8 +99,8 @@ ANEURYSM_HD Real impact_force(Real m, Real rho, const Vec3T<Real>& force)
     return length(m / rho * force);
 }
 
-/// The force of the mass M that strikes the wall as the particle of F_b does, whose mass is m: F_b in (21), (28) and the
-/// criterion.
+/// The force of the mass M that strikes the wall as the particle of F_b does, whose mass is m. In (21), (28) and the
+/// criterion it takes F_b's place:
 ///
 ///     F = F_b M / m                                                                           [N]
 ANEURYSM_HD inline double wall_load(double F_b, double M, double m)

@@ -10,7 +10,7 @@
 namespace aneurysm::reference
 {
 
-/// What a frame's impact does to the sac: growth, the elastic wall (28) and, when F_b > P_c, rupture. Of the
+/// What a frame's impact does to the sac: growth, the elastic wall (28) and, when its load exceeds P_c, rupture. Of the
 /// flow it needs F_b, as the wall's load, alone, so that along the impacts of one run it says when another wall had ruptured.
 class Deform
 {

@@ -92,7 +92,7 @@ inline Impact impact_force(std::span<const std::int64_t> S, double m, std::span<
 }
 
 /// The force of the mass M that strikes the wall as the particle of F_b does, whose mass is m. F_b / m is an
-/// acceleration and converges with finer particles; F_b goes with their mass. This is F_b in (21), (28) and the criterion:
+/// acceleration, while F_b goes with the particle's mass. In (21), (28) and the criterion this takes F_b's place:
 ///
 ///     F = F_b M / m                                                                           [N]
 inline double wall_load(double F_b, double M, double m)

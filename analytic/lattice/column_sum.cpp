@@ -19,7 +19,7 @@ double LatticeDuct::mass() const
 
 LatticeDuct lattice_channel(const Lattice& lattice, double rho_0, double mu, int rows)
 {
-    LatticeDuct duct{lattice, rho_0, mu, true, true, rows * lattice.dx / 2, {}, {}};
+    LatticeDuct duct{lattice, rho_0, mu, true, rows * lattice.dx / 2, {}, {}};
     const double m = duct.mass();
     const int behind = static_cast<int>(std::ceil(2 * lattice.h / lattice.dx));
     for (int j = -behind; j < rows + behind; ++j) {
@@ -31,7 +31,7 @@ LatticeDuct lattice_channel(const Lattice& lattice, double rho_0, double mu, int
 
 LatticeDuct lattice_tube(const Lattice& lattice, double rho_0, double mu, double a, double inset)
 {
-    LatticeDuct duct{lattice, rho_0, mu, false, true, a, {}, {}};
+    LatticeDuct duct{lattice, rho_0, mu, false, a, {}, {}};
     const double m = duct.mass();
     const int reach = static_cast<int>(std::ceil((a + 2 * lattice.h) / lattice.dx)) + 1;
     for (int i = -reach; i < reach; ++i) {

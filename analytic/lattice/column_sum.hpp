@@ -20,7 +20,6 @@ struct LatticeDuct {
     double rho_0 = 0;      ///< [kg/m^3]
     double mu = 0;         ///< [Pa s]
     bool layered = false;  ///< each column stands for a whole plane, x(1) = 0: a channel
-    bool no_slip = true;   ///< else the ghosts have no part in (7)
     double half_width = 0; ///< a: from the middle to the wall [m]
     std::vector<Column> fluid;
     std::vector<Column> ghosts; ///< where a ghost's cell is partly inside, a particle can be at its place

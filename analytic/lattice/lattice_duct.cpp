@@ -51,10 +51,8 @@ DuctOperator::DuctOperator(const LatticeDuct& duct)
 {
     set_density(duct);
     set_couplings(duct);
-    if (duct.no_slip) {
-        set_ghosts(duct);
-        set_time_scale();
-    }
+    set_ghosts(duct);
+    set_time_scale();
 }
 
 void DuctOperator::set_density(const LatticeDuct& duct)
@@ -98,9 +96,7 @@ void DuctOperator::set_couplings(const LatticeDuct& duct)
             }
         }
         for (const Column& ghost : duct.ghosts) {
-            if (duct.no_slip) {
-                couple(ghost, duct.rho_0, couplings_.wall(a), of_rounding_.wall(a), of_distance_.wall(a));
-            }
+            couple(ghost, duct.rho_0, couplings_.wall(a), of_rounding_.wall(a), of_distance_.wall(a));
         }
     }
     A_ = couplings_.between;
@@ -169,24 +165,6 @@ Profile steady_flow_by_qr(const DuctOperator& A, double g)
     const VectorXd velocity =
         A.matrix().colPivHouseholderQr().solve(VectorXd::Constant(A.matrix().rows(), -g));
     return {velocity, A.time_scale() * residual(A.matrix(), velocity, g)};
-}
-
-FlowError flow_error(const LatticeDuct& duct, const VectorXd& velocity,
-                     const std::function<double(double r)>& exact)
-{
-    double squares = 0;
-    double exact_squares = 0;
-    double largest = 0;
-    double exact_largest = 0;
-    for (std::size_t a = 0; a < duct.size(); ++a) {
-        const double e = exact(duct.r(a));
-        const double off = velocity(static_cast<Eigen::Index>(a)) - e;
-        squares += off * off;
-        exact_squares += e * e;
-        largest = std::max(largest, std::abs(off));
-        exact_largest = std::max(exact_largest, std::abs(e));
-    }
-    return {std::sqrt(squares / exact_squares), largest / exact_largest};
 }
 
 } // namespace aneurysm::analytic

@@ -13,7 +13,6 @@
 
 #include <Eigen/Dense>
 
-#include <functional>
 #include <vector>
 
 namespace aneurysm::analytic
@@ -44,8 +43,8 @@ public:
     /// \return [1/s]
     Couplings uncertainty(double roundoff, double displacement) const;
 
-    /// Bound of the largest row sum of |A^-1|: a steady flow under a force of at most 1 is no faster. Infinite with
-    /// slip [s]. From an inverse X by LU, |X| / (1 - |1 - A X|).
+    /// Bound of the largest row sum of |A^-1|: a steady flow under a force of at most 1 is no faster [s].
+    /// From an inverse X by LU, |X| / (1 - |1 - A X|).
     double time_scale() const { return time_scale_; }
 
 private:
@@ -62,7 +61,7 @@ private:
     double neighbors_ = 0;        ///< most particles within one's support
     double density_rounding_ = 0; ///< largest relative uncertainty of a density per roundoff
     double density_distance_ = 0; ///< and per displacement [1/m]
-    double time_scale_ = std::numeric_limits<double>::infinity();
+    double time_scale_ = 0;
 };
 
 /// Velocities by column, and the bound of each one's error, as the flow of exactly the given matrix [m/s].
@@ -76,13 +75,5 @@ struct Profile {
 Profile steady_flow(const DuctOperator& A, double g);
 /// The same by Eigen's QR decomposition.
 Profile steady_flow_by_qr(const DuctOperator& A, double g);
-
-/// How far a flow on the lattice is from the exact one, at its particles.
-struct FlowError {
-    double l2 = 0;      ///< root of the mean square over that of the exact flow [1]
-    double largest = 0; ///< largest magnitude over that of the exact flow [1]
-};
-FlowError flow_error(const LatticeDuct& duct, const Eigen::VectorXd& velocity,
-                     const std::function<double(double r)>& exact);
 
 } // namespace aneurysm::analytic

@@ -51,33 +51,6 @@ int rows_within_reach(const Lattice& l)
     return static_cast<int>(std::floor(2 * l.h / l.dx));
 }
 
-/// Extremes over s of sum_{n > 0} weight(n) row_sum(n, s_n), each s_n by itself, of a kernel no steeper than
-/// `steepest`. A row is symmetric in s and repeats with dx.
-template <class Kernel, class Weight>
-Range sliding_sum(const Lattice& l, Kernel f, double steepest, Weight weight)
-{
-    constexpr int points = 4096;
-    Range sum;
-    for (int n = 1; n <= rows_within_reach(l); ++n) {
-        double least = std::numeric_limits<double>::infinity();
-        double most = 0;
-        int terms = 0;
-        for (int point = 0; point <= points; ++point) {
-            int here = 0;
-            const double S = row_sum(
-                l, n, l.dx / 2 * point / points, [&](double r, double) { return f(r); }, &here);
-            least = std::min(least, S);
-            most = std::max(most, S);
-            terms = std::max(terms, here);
-        }
-        // a point is nearest to half a step; one term may come in between two points
-        const double between = (terms + 1) * steepest * l.dx / 4 / points;
-        sum.least += weight(n) * (least - between);
-        sum.most += weight(n) * (most + between);
-    }
-    return sum;
-}
-
 double volume(const Lattice& l)
 {
     return 1 / kernel_sum(l).value;
@@ -121,25 +94,6 @@ Estimate viscosity_ratio(const Lattice& l)
     // 16 u of the largest term: r^2 lap W is at most H^2 times lap W at 0
     const double largest = 4 * l.h * l.h * viscosity_kernel(l, 0) / (6 * density.value);
     return {ratio, ratio * (density.error / density.value + (terms + 40) * u) + 16 * terms * u * largest};
-}
-
-Range sliding_viscosity_ratio(const Lattice& l)
-{
-    const double H = 2 * l.h;
-    const double V = volume(l);
-    return sliding_sum(
-        l, [&](double r) { return viscosity_kernel(l, r); }, viscosity_kernel(l, 0) / H,
-        [&](int n) { return V * n * l.dx * n * l.dx; });
-}
-
-Range sliding_density_ratio(const Lattice& l)
-{
-    const auto W = [&](double r) { return kernel(l.kernel, l.h, r); };
-    const double at = l.kernel == KernelName::cubic_spline ? 2 * l.h / 3 : l.h / 2;
-    const double V = volume(l);
-    const double own = V * row_sum(l, 0, 0, [&](double r, double) { return W(r); });
-    const Range others = sliding_sum(l, W, -kernel_slope(l.kernel, l.h, at), [&](int) { return 2 * V; });
-    return {own + others.least, own + others.most};
 }
 
 double wall_layer_ratio(const Lattice& l)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planes y = const of the cubic lattice, its rows, as they slide past each other in a shear flow, and as they
-// lie on one another between two walls.
+// Planes y = const of the cubic lattice, its rows, in a shear flow, and as they lie on one another between
+// two walls.
 #pragma once
 
 #include "analytic/lattice/lattice.hpp"
@@ -15,23 +15,6 @@ namespace aneurysm::analytic
 ///
 ///     nu_eff/nu = V/6 sum_x r^2 lap W(x)                                                      [1]
 Estimate viscosity_ratio(const Lattice& lattice);
-
-/// All values that something takes, rounding aside.
-struct Range {
-    double least = 0;
-    double most = 0;
-};
-
-/// Eq. (7)  nu_eff/nu of rows that have slid along x, each by any distance s from its neighbors,
-///
-///     V sum_{n > 0} (n dx)^2 S_n(s),   S_n(s) = sum over row n of lap W,
-///
-/// at the density rho_0 [1]. The extremes over a grid of s,
-/// widened by what S_n can change between its points.
-Range sliding_viscosity_ratio(const Lattice& lattice);
-
-/// Eq. (5)  rho/rho_0 of the same rows, as long as none leaves its plane [1].
-Range sliding_density_ratio(const Lattice& lattice);
 
 /// Eq. (7)  How much a row leaves of what a wall does to a steady shear flow besides moving its zero: the
 /// largest |z| < 1 with sum_n S_n(0) (z^n + z^-n - 2) = 0, n > 0. Divided by (z - 1)^2/z that is a

@@ -19,7 +19,7 @@ class FrameChart
 {
 public:
     enum class Content {
-        impact, ///< F_b and P_c
+        impact, ///< the wall's load and P_c
         wall,   ///< R, and h on the right
     };
 

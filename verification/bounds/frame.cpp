@@ -206,7 +206,7 @@ FrameRange FrameBounds::finish(const SimulationState& start, const SimulationSta
 }
 
 /// (21)-(23), (28), (13) and the criterion (bound B29): the reference's own end of a frame at both ends of
-/// F_b's range, since each number rises or falls with F_b; then the roundings of the formulas.
+/// the load's range, since each number rises or falls with it; then the roundings of the formulas.
 void FrameBounds::bound_wall(const SimulationState& start, const SimulationState& end,
                              FrameRange& range) const
 {

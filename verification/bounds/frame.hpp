@@ -18,7 +18,7 @@ struct FrameRange {
     FrameRecord low;
     FrameRecord high;
     AneurysmState aneurysm_error; ///< absolute, of its numbers
-    bool rupture_open = false;    ///< F_b is within rounding of P_c
+    bool rupture_open = false;    ///< the load is within rounding of P_c
 };
 
 /// How a solve of (3) ended [1/s].

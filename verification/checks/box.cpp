@@ -40,6 +40,24 @@ Scenario box_scenario(KernelName kernel, double ratio)
     return scenario;
 }
 
+void disturb(Particles& particles, std::initializer_list<Kind> kinds, double way, double speed,
+             std::uint64_t seed)
+{
+    std::mt19937_64 bits(seed);
+    const auto random = [&] { return std::ldexp(static_cast<double>(bits() >> 54U), -9) - 1; }; // [-1, 1)
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        if (std::ranges::find(kinds, particles.kind[i]) == kinds.end()) {
+            continue;
+        }
+        for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+            particles.position[i].*axis += way * random();
+        }
+        for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+            particles.velocity[i].*axis = speed * random();
+        }
+    }
+}
+
 Box::Box(const Probe& probe, const Scenario& scenario)
     : scenario_(scenario), state_(probe.simulate(unsettled(scenario))->state()),
       edge_(static_cast<double>(scenario.domain.cells_x) * scenario.domain.spacing_m),
@@ -89,19 +107,8 @@ void Box::set_velocity(const std::vector<double>& wave, const Vec3& amplitude)
 
 void Box::disturb(double jitter, double speed, std::uint64_t seed)
 {
-    std::mt19937_64 bits(seed);
-    const auto random = [&] { return std::ldexp(static_cast<double>(bits() >> 54U), -9) - 1; }; // [-1, 1)
-    const double dx = scenario_.domain.spacing_m;
-    Particles& p = state_.particles;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        for (double* x : {&p.position[i].x, &p.position[i].y, &p.position[i].z}) {
-            *x += jitter * dx * random();
-        }
-        const double x = random();
-        const double y = random();
-        const double z = random();
-        p.velocity[i] = speed * Vec3{x, y, z};
-    }
+    checks::disturb(state_.particles, {Kind::fluid, Kind::reserve}, jitter * scenario_.domain.spacing_m,
+                    speed, seed);
 }
 
 void Box::keep_drop(int edge)

@@ -9,6 +9,8 @@
 #include "verification/checks/vectors.hpp"
 
 #include <array>
+#include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,11 @@ constexpr double both(double oracle_error, double u)
 {
     return oracle_error * (1 + u / 0x1p-53);
 }
+
+/// Moves each particle of these kinds by up to `way` [m] in each direction and gives it a velocity whose components are
+/// up to `speed` [m/s]: multiples of 2^-9 of both, which single precision holds exactly where it holds the place.
+void disturb(Particles& particles, std::initializer_list<Kind> kinds, double way, double speed,
+             std::uint64_t seed);
 
 class Box
 {
@@ -46,8 +53,7 @@ public:
     std::vector<Mode> modes() const;
 
     void set_velocity(const std::vector<double>& wave, const Vec3& amplitude);
-    /// Each particle up to `jitter` spacings from its lattice point in each direction, the velocity's
-    /// components up to `speed`; both such that single precision holds them exactly.
+    /// All by up to `jitter` spacings.
     void disturb(double jitter, double speed, std::uint64_t seed);
 
     /// Leaves a cube of `edge` spacings in the middle; the rest waits in the reserve.

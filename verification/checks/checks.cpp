@@ -38,11 +38,6 @@ Check flow_check(std::string_view id, Names equations, std::string_view title, N
     return {id, Level::transient, std::move(equations), title, std::move(oracles), Scope::flows, true, run};
 }
 
-Check limit_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run)
-{
-    return {id, Level::continuous, std::move(equations), title, std::move(oracles), Scope::flows, false, run};
-}
-
 Check same_run_check(std::string_view id, Names equations, std::string_view title, Names oracles, Run run,
                      Scope scope)
 {
@@ -104,6 +99,7 @@ const std::vector<Check>& all_checks()
                  oracle_pairs_checks,
                  nature_artery_checks,
                  nature_ends_checks,
+                 nature_vortices_checks,
                  nature_walls_checks,
                  blood_flow_mass_checks,
              }) {

@@ -106,7 +106,7 @@ private:
     FrameRecord own_;                ///< of the reference with its own solves
     double pressure_difference_ = 0; ///< between the candidate's solves and the reference's [Pa]
     double largest_pressure_ = 0;    ///< [Pa]
-    std::int64_t unconverged_ = 0;   ///< frames whose solve ended at its iteration limit
+    std::int64_t unconverged_ = 0;   ///< frames in which a solve ended at its iteration limit
 };
 
 /// The candidate's state in its own bits: one that it was only given, and hasn't advanced yet, may have more.
@@ -307,22 +307,22 @@ void Lockstep::check_solutions(const Pair& pair, const bounds::FrameRange& range
     const auto within = [&](const char* name, double residual, double tolerance, double error) {
         check.field("solution of (3): " + std::string(name) + " [1/s]").add(residual, tolerance + error);
     };
-    if (pair.candidate_record.iterations < limits.max_iterations) {
+    const bool is_solved = pair.candidate_record.iterations < limits.max_iterations;
+    const bool is_corrected =
+        !corrects() || pair.candidate_record.corrections < limits.correction_max_iterations;
+    unconverged_ += is_solved && is_corrected ? 0 : 1;
+    if (is_solved) {
         within("residual_mean", expected.residual_mean, limits.tolerance_per_s,
                range.high.residual_mean - expected.residual_mean);
         within("residual_max", expected.residual_max, limits.max_tolerance_per_s,
                range.high.residual_max - expected.residual_max);
-    } else {
-        ++unconverged_;
     }
     const bounds::SolveEnd& correction = bounds_.correction();
-    if (corrects() && pair.candidate_record.corrections < limits.correction_max_iterations) {
+    if (corrects() && is_corrected) {
         within("correction's mean residual", correction.mean, limits.correction_tolerance_per_s,
                correction.mean_error);
         within("correction's largest residual", correction.largest, limits.correction_max_tolerance_per_s,
                correction.largest_error);
-    } else if (corrects()) {
-        ++unconverged_;
     }
     if (is_double_) {
         check_iterations(pair.candidate_record, check);

@@ -42,8 +42,8 @@ std::vector<Member> ensemble(RunStore& runs, const Scenario& scenario, int first
 WallHistory whole_wall(const Scenario& wall, const Member& member);
 
 /// Frames of rupture of one wall by its yield limit: (13) is proportional to Y, and (22) and (23) don't know
-/// it, so that one walk along the impacts serves for all. To rounding: a frame in which F_b comes within
-/// 1e-15 of P_c may differ from wall_along's.
+/// it, so that one walk along the impacts serves for all. To rounding: a frame in which the load comes
+/// within 1e-15 of P_c may differ from wall_along's.
 class RuptureTimes
 {
 public:

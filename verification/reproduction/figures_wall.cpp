@@ -32,9 +32,14 @@ PlotSeries series(const std::string& name, const std::vector<Frame>& frames, dou
     return s;
 }
 
-PlotSeries impacts(const std::string& name, const std::vector<FrameRecord>& records, int color)
+/// What is compared with P_c.
+PlotSeries load_as_pressure(const Member& member, int color)
 {
-    return series(name, records, &FrameRecord::impact_force, color, "thin");
+    PlotSeries pressure = series("load / area", member.records, &FrameRecord::wall_load, color, "thin");
+    for (double& y : pressure.y) {
+        y /= member.scenario.rupture.conversion_area_m2;
+    }
+    return pressure;
 }
 
 /// Amplitude of a period of F_b over whole cycles of 800 frames after the warm-up.
@@ -234,7 +239,8 @@ Section figure7(Reproduction& reproduction)
     int color = 0;
     for (const Shape& shape : all) {
         const std::vector<WallFrame>& middle = shape.middle;
-        panels[0].series.push_back(impacts(shape.name, shape.members.front().records, color));
+        panels[0].series.push_back(
+            series(shape.name, shape.members.front().records, &FrameRecord::impact_force, color, "thin"));
         panels[1].series.push_back(series(shape.name, middle, &WallFrame::thickness, color));
         panels[2].series.push_back(series(shape.name, middle, &WallFrame::critical_pressure, color));
         panels[3].series.push_back(series(shape.name, middle, &WallFrame::radius, color++));
@@ -260,9 +266,9 @@ Section figure9(Reproduction& reproduction)
     const std::vector<Member> members =
         ensemble(reproduction.runs, scenario, reproduction.first_seed, reproduction.seeds);
     const Member& shown = members.front();
-    PlotPanel force{"F_b and the critical pressures", "frame", "F_b [N], P_c [Pa]"};
+    PlotPanel pressures{"Load of the wall as a pressure, and the critical pressures", "frame", "[Pa]"};
     PlotPanel wall{"Thickness", "frame", "h [m]"};
-    force.series.push_back(impacts("F_b", shown.records, 6));
+    pressures.series.push_back(load_as_pressure(shown, 6));
     ResultTable table{"One seed: where the triangles are",
                       {"sigma", "frame of rupture", "h [m]", "P_c [Pa]"}};
     int color = 0;
@@ -272,12 +278,12 @@ Section figure9(Reproduction& reproduction)
         }
         const WallHistory history = wall_along(with_wall(scenario, row), shown.records);
         const std::string name = "sigma " + number(row.sigma);
-        force.series.push_back(series(name, history.frames, &WallFrame::critical_pressure, color));
+        pressures.series.push_back(series(name, history.frames, &WallFrame::critical_pressure, color));
         wall.series.push_back(series(name, history.frames, &WallFrame::thickness, color));
         const WallFrame& last = history.frames.back();
         if (history.rupture_frame) {
             const double frame = static_cast<double>(*history.rupture_frame);
-            force.series.push_back({"", {frame}, {last.critical_pressure}, "points", color});
+            pressures.series.push_back({"", {frame}, {last.critical_pressure}, "points", color});
             wall.series.push_back({"", {frame}, {last.thickness}, "points", color});
         }
         table.add(row.sigma, history.rupture_frame ? std::to_string(*history.rupture_frame) : "holds",
@@ -290,9 +296,10 @@ Section figure9(Reproduction& reproduction)
                     ", each wall up to its rupture (triangle). Table 4 has the means over all seeds."};
     section.tables.push_back(table);
     section.claims = {pulsatility(shown.records, cycle), warm_up_differs(members, cycle)};
-    section.pictures.push_back(plot(
-        reproduction.folder("fig9") / "fig9.png",
-        "Impact force against the critical pressures of five walls, and their thickness.", 1, {force, wall}));
+    section.pictures.push_back(
+        plot(reproduction.folder("fig9") / "fig9.png",
+             "The wall's load against the critical pressures of five walls, and their thickness.", 1,
+             {pressures, wall}));
     return section;
 }
 

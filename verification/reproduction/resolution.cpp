@@ -18,6 +18,7 @@ struct Impact {
     std::int64_t particles = 0;
     double spacing = 0; ///< [m]
     double force = 0;   ///< mean F_b over a whole cycle [N]
+    double load = 0;    ///< mean load of the wall over it [N]
 };
 
 /// The sac keeps its first radius: the warm-up doesn't end.
@@ -38,16 +39,16 @@ Scenario rigid(Scenario scenario, std::int64_t particles)
     return scenario;
 }
 
-/// Exponent of y = c x^n by least squares of the logarithms.
-double exponent(const std::vector<Impact>& impacts)
+/// Exponent of a force over the spacing, c spacing^n, by least squares of the logarithms.
+double exponent(const std::vector<Impact>& impacts, double Impact::*force)
 {
     const double mx = mean(impacts, [](const Impact& i) { return std::log(i.spacing); });
-    const double my = mean(impacts, [](const Impact& i) { return std::log(i.force); });
+    const double my = mean(impacts, [force](const Impact& i) { return std::log(i.*force); });
     double xy = 0;
     double xx = 0;
     for (const Impact& i : impacts) {
         const double x = std::log(i.spacing) - mx;
-        xy += x * (std::log(i.force) - my);
+        xy += x * (std::log(i.*force) - my);
         xx += x * x;
     }
     return xy / xx;
@@ -71,27 +72,26 @@ ResultTable resolution_study(Reproduction& reproduction, std::vector<std::string
         const double spacing =
             output::read_checkpoint(output::RunDirectory::checkpoint_file(reproduction.runs.directory(s)))
                 .state.spacing;
-        impacts.push_back({s.particles.count, spacing, mean(second, &FrameRecord::impact_force)});
+        impacts.push_back({s.particles.count, spacing, mean(second, &FrameRecord::impact_force),
+                           mean(second, &FrameRecord::wall_load)});
     }
     ResultTable table{
-        "F_b by resolution, mean over the second cycle, rigid sac",
-        {"particles", "spacing [m]", "F_b [N]", "F_b / spacing^2 [Pa]", "F_b / spacing^3 [N/m^3]"},
+        "Impact by resolution, mean over the second cycle, rigid sac",
+        {"particles", "spacing [m]", "F_b [N]", "the wall's load F_b M/m [N]", "acceleration F_b/m [m/s^2]"},
         {}};
+    const double M = scenario.rupture.impact_mass_kg;
     for (const Impact& i : impacts) {
-        table.add(i.particles, i.spacing, i.force, i.force / (i.spacing * i.spacing),
-                  i.force / std::pow(i.spacing, 3));
+        table.add(i.particles, i.spacing, i.force, i.load, i.load / M);
     }
-    const double n = exponent(impacts);
     text.push_back(
         "The force on one particle depends on its size: over the resolutions of the last table F_b "
         "goes as the spacing to the power " +
-        number(n, 3) +
-        ". Divided by the particle's own face, spacing^2, it is a pressure, as P_c is, "
-        "and goes as the power " +
-        number(n - 2, 3) +
-        "; a conversion area proportional to spacing^2 takes most of it back over these resolutions. It has no "
-        "limit for all that: (16) is mass times acceleration, and goes as spacing^3 where the acceleration is "
-        "converged. Y holds for 5,520 particles and this area.");
+        number(exponent(impacts, &Impact::force), 3) +
+        ". What lets the wall grow and breaks it is its load, the force of M = " + number(M) +
+        " kg of blood with the acceleration of the particle of F_b, whose mass is m. It goes as the power " +
+        number(exponent(impacts, &Impact::load), 3) +
+        "; 0 would be an acceleration that doesn't depend on the particles' size. Y and the conversion area hold "
+        "for a resolution as far as that is so.");
     return table;
 }
 

@@ -145,14 +145,14 @@ ResultTable reasons_table(const std::vector<RowResult>& results, double yield_li
     return table;
 }
 
-/// Largest F_b of each cycle after the first, over the members [N].
+/// Largest load of the wall in each cycle after the first, over the members [N].
 Spread crests(const std::vector<Member>& members, std::size_t cycle)
 {
     std::vector<double> largest;
     for (const Member& member : members) {
         for (std::size_t k = cycle; k + cycle <= member.records.size(); k += cycle) {
             const auto part = std::span(member.records).subspan(k, cycle);
-            largest.push_back(std::ranges::max(part, {}, &FrameRecord::impact_force).impact_force);
+            largest.push_back(std::ranges::max(part, {}, &FrameRecord::wall_load).wall_load);
         }
     }
     return spread(largest);
@@ -179,8 +179,8 @@ std::string scatter(const Scenario& scenario, const std::vector<RowResult>& resu
 {
     const double cycle = scenario.inlet.cycle_s / scenario.time.frame_s;
     const Spread s = crests(members, static_cast<std::size_t>(std::llround(cycle)));
-    return "The hardest impact of a cycle is " + number(s.mean) + " N with a standard deviation of " +
-           number(100 * s.deviation / s.mean, 2) +
+    return "The largest load of the wall in a cycle is " + number(s.mean) +
+           " N with a standard deviation of " + number(100 * s.deviation / s.mean, 2) +
            " %. From each row to the next weaker one P_c of (13) falls by about as much at the same R and "
            "h: " +
            falls(results) +
@@ -318,8 +318,8 @@ Section table4(Reproduction& reproduction)
             std::to_string(std::ranges::count_if(results, &RowResult::fitted)) + " of the rows and on " +
             (shares_seeds(plan, reproduction) ? "some of these" : "other") +
             " seeds; the other rows are predictions with these. The length unit, "
-            "v_0 and the wave at the inlet were chosen beforehand in sight of the whole table (README).",
-        "Rupture is the first time that an impact, a maximum over few particles, exceeds a falling "
+            "v_0 and the wave at the inlet were chosen beforehand in sight of the whole table (docs/reproduction.md).",
+        "Rupture is the first time that the load of an impact, a maximum over few particles, exceeds a falling "
         "threshold. One run scatters by the standard deviation in the table; a single number as in the paper "
         "can't be expected to be nearer: it is one more draw, and the table says how many of the seeds are "
         "earlier. How little it takes is in the second table: the relative change of Y that would move a "

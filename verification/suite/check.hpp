@@ -38,7 +38,7 @@ enum class Level {
     scalar,      ///< L0: single equations against closed forms and GSL
     lattice,     ///< L1: SPH sums where the discrete answer is known
     transient,   ///< L2: flows in time where the discrete answer is known
-    continuous,  ///< L3: continuous solutions, with the error predicted
+    continuous,  ///< L3: continuous solutions, which L6 measures the model by
     metamorphic, ///< L4: the same run in other words, to the same bits
     executors,   ///< L5: the backends against the reference
     nature,      ///< L6: the model itself against nature

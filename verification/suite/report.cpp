@@ -357,8 +357,8 @@ void add_about(Document& document, const SuiteReport& report)
                "is at most the allowed one. A check that compared nothing, met a value that is no number, or "
                "stopped with an error fails.")
         << Text(
-               "An equation holds when no check of it fails and at least one of the levels L0 to L3, which compare "
-               "the program with answers found without it, holds for at least one version of the program; the "
+               "An equation holds when no check of it fails and at least one of the levels L0 to L3 that compares "
+               "the program with answers found without it holds for at least one version of the program; the "
                "table says for which. Levels L4 and L5, and checks of the answers against one another (“once”), "
                "can make an equation fail but not hold. What was not run is neither. Level L6 is about the model, not about an "
                "equation: what it doesn't meet yet doesn't make this report fail.")

@@ -44,9 +44,9 @@ inline constexpr std::array words<Level>{
         "Whole flows, step by step, whose answer in the same steps is known: again only rounding may separate the "
         "two, or the stated tolerance of the solve for the pressure."},
     Word{
-        "flows with a known continuous answer",
-        "Flows whose exact solution is a formula of space and time. Particles and time steps make an error; its size "
-        "is predicted, or said without a bound."},
+        "exact solutions of flows",
+        "Flows whose exact solution is a formula of space and time, each found in two ways. The model against nature "
+        "(L6) is measured by them."},
     Word{
         "the same run in other words",
         "The same run told differently (in other units, interrupted, on more threads, moved in space): the result "

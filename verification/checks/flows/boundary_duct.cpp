@@ -4,10 +4,10 @@
 #include "analytic/kernel_function.hpp"
 #include "common/scenario/shipped.hpp"
 #include "verification/checks/checks.hpp"
+#include "verification/checks/pressure_level.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 namespace aneurysm::checks
@@ -79,24 +79,16 @@ Scenario scenario_of(const OutletStep& step)
 }
 
 /// The level of the pressure in this step: p_const at most, and in the model `eos`; else the margin times what a straight
-/// tube of length L and radius a takes to slow the blood down, to be driven back against friction, and rho v^2 [Pa].
+/// tube as long and as wide pulls [Pa].
 double level(const OutletStep& step, const Scenario& s)
 {
     if (step.model == PressureModel::eos) {
         return step.p_const;
     }
-    const double dt = s.time.frame_s;
-    const auto v = [&](std::int64_t frame) {
-        return s.inlet.peak_velocity_m_s *
-               std::sin(2 * std::numbers::pi * static_cast<double>(frame) * dt / s.inlet.cycle_s);
-    };
     const double L = static_cast<double>(s.domain.cells_y) * s.domain.spacing_m;
     const double a = static_cast<double>(s.domain.cells_x) * s.domain.spacing_m / 2;
-    const double now = v(step.frame);
-    const double slowing = std::max(0.0, v(step.frame - 1) - now) / dt;
-    const double friction = 8 * s.fluid.viscosity_pa_s * L / (a * a) * std::max(0.0, -now);
-    return std::min(step.p_const,
-                    s.outlet.level_margin * (s.fluid.density_kg_m3 * (L * slowing + now * now) + friction));
+    const double t = static_cast<double>(step.frame) * s.time.frame_s;
+    return std::min(step.p_const, s.outlet.level_margin * pull(s, {{L, a}}, t));
 }
 
 /// Eq. (5) of blood in a layer at the distance z from the plane behind which there is none [kg/m^3].

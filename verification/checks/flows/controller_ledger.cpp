@@ -3,6 +3,7 @@
 #include "analytic/boundary.hpp"
 #include "common/scenario/shipped.hpp"
 #include "verification/checks/checks.hpp"
+#include "verification/checks/pressure_level.hpp"
 
 #include <algorithm>
 #include <string>
@@ -15,13 +16,6 @@ namespace
 std::string frame(const FrameRecord& r)
 {
     return "frame " + std::to_string(r.frame);
-}
-
-/// The scenario's ramp as the cubic between two points of slope 0, in its factors.
-double ramp(const Scenario& s, double t)
-{
-    const double rest = std::max(0.0, 1 - t / s.inlet.ramp_s);
-    return 1 - rest * rest * (3 - 2 * rest);
 }
 
 /// Particles that one frame has made `to` of `from`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole run of data/scenarios/quick.json: warm-up, growth, rupture, bleeding. Given the impact force of each frame,
+// A whole run of data/scenarios/quick.json: warm-up, growth, rupture, bleeding. Given the wall's load in each frame,
 // everything that happens to the wall, (13), (17)-(23) and (28), follows exactly.
 #include "analytic/boundary.hpp"
 #include "analytic/growth.hpp"
@@ -60,7 +60,7 @@ void check_phases(Probe& probe, const History& run)
     Quantity& phase = probe.quantity(
         "frames in the right phase", Source::exact,
         "a claim: warm-up, growing, fully developed and ruptured follow from the number of the "
-        "frame, R and F_b against P_c");
+        "frame, R and the load against P_c");
     Quantity& at_rest = probe.quantity("wall in the warm-up", Source::exact,
                                        "bits: R, h and u keep their first values until the warm-up ends");
     Quantity& start =
@@ -91,7 +91,7 @@ void check_phases(Probe& probe, const History& run)
         .holds(ruptured);
 }
 
-/// (28) from the recorded impact forces, while the wall lives: a sum over all of them.
+/// (28) from the recorded loads, while the wall lives: a sum over all of them.
 void check_displacement(Probe& probe, const History& run)
 {
     Quantity& displacement = probe.quantity(

@@ -120,7 +120,7 @@ LaminarFlow::LaminarFlow(const Probe& probe, const Laminar& flow, const Scenario
 void LaminarFlow::advance(int steps)
 {
     for (int step = 0; step < steps; ++step) {
-        iterations_ += backend_->advance().iterations;
+        backend_->advance();
     }
     steps_ += steps;
 }

@@ -48,7 +48,6 @@ public:
 
     void advance(int steps);
     int steps() const { return steps_; }
-    std::int64_t iterations() const { return iterations_; } ///< of the pressure solve, so far
 
     /// Calls visit(column, velocity along the duct [m/s]) for each particle.
     void for_each(const std::function<void(std::size_t, double)>& visit) const;
@@ -60,7 +59,6 @@ private:
     std::unique_ptr<Simulation> backend_;
     std::vector<std::size_t> column_; ///< by particle
     int steps_ = 0;
-    std::int64_t iterations_ = 0;
 };
 
 } // namespace aneurysm::checks

@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// The vortices of Taylor and Green in the periodic box: (1), (3), (7) and (15) together.
-#include "analytic/taylor_green.hpp"
-
-#include "common/scenario/shipped.hpp"
-#include "verification/checks/box.hpp"
-#include "verification/checks/checks.hpp"
+// The vortices of Taylor and Green in the periodic box, so slow that they move nothing: (7), (1) and (15).
+#include "verification/checks/flows/taylor_green.hpp"
 
 #include <cmath>
 #include <numbers>
 
 namespace aneurysm::checks
 {
-namespace
-{
-
-constexpr std::int64_t edge = 24; ///< in cells; 6 in z
-
 Scenario vortex_scenario()
 {
     Scenario s = box_scenario();
-    s.domain.cells_x = s.domain.cells_y = edge;
+    s.domain.cells_x = s.domain.cells_y = vortex_cells;
     s.domain.cells_z = 6;
-    s.particles.count = edge * edge * 6;
+    s.particles.count = vortex_cells * vortex_cells * 6;
     return s;
 }
 
-/// At rest, then given the vortices' velocity.
 SimulationState vortices(const Probe& probe, const Scenario& s, const analytic::TaylorGreen& flow)
 {
     SimulationState state = probe.simulate(s)->state();
@@ -39,12 +29,14 @@ SimulationState vortices(const Probe& probe, const Scenario& s, const analytic::
 
 analytic::TaylorGreen flow_of(const Scenario& s, double U)
 {
-    return {U, 2 * std::numbers::pi / (static_cast<double>(edge) * s.domain.spacing_m), s.fluid.density_kg_m3,
-            s.fluid.viscosity_pa_s / s.fluid.density_kg_m3};
+    return {U, 2 * std::numbers::pi / (static_cast<double>(vortex_cells) * s.domain.spacing_m),
+            s.fluid.density_kg_m3, s.fluid.viscosity_pa_s / s.fluid.density_kg_m3};
 }
 
-/// So slow that they move nothing.
-void frozen(Probe& probe)
+namespace
+{
+
+void resting(Probe& probe)
 {
     constexpr int steps = 20;
     constexpr double weak = 0x1p-60;
@@ -73,73 +65,13 @@ void frozen(Probe& probe)
     }
 }
 
-/// At a Reynolds number of 100, with the artery's pressure solve.
-Scenario moving_scenario(double U)
-{
-    Scenario s = vortex_scenario();
-    s.fluid.viscosity_pa_s = s.fluid.density_kg_m3 * U * static_cast<double>(edge) * s.domain.spacing_m / 100;
-    s.time.frame_s = 2e-3;
-    s.inlet.peak_velocity_m_s = U;
-    const Scenario artery = shipped_scenario("base");
-    s.pressure = artery.pressure;
-    s.settling = artery.settling;
-    s.particles.jitter_spacings = artery.particles.jitter_spacings;
-    return s;
-}
-
-/// Kinetic energy over time, over that of the start.
-Series energy(const Probe& probe, const Scenario& s, const analytic::TaylorGreen& flow)
-{
-    const auto simulated = probe.simulate(s, vortices(probe, s, flow));
-    Series found{"disordered blood", {}, {}, false};
-    double start = 0;
-    for (int n = 1; n <= 200; ++n) {
-        const FrameRecord r = simulated->advance();
-        start = n == 1 ? r.kinetic_energy / std::pow(flow.decay(s.time.frame_s), 2) : start;
-        if (n % 4 == 0) {
-            found.x.push_back(n * s.time.frame_s);
-            found.y.push_back(r.kinetic_energy / start);
-        }
-    }
-    return found;
-}
-
-void moving(Probe& probe)
-{
-    constexpr double U = 0.5;
-    const Scenario s = moving_scenario(U);
-    const analytic::TaylorGreen flow = flow_of(s, U);
-    const Series found = energy(probe, s, flow);
-    Series exact{"exact", {}, {}, true};
-    for (const double t : found.x) {
-        exact.x.push_back(t);
-        exact.y.push_back(std::pow(flow.decay(t), 2));
-    }
-    const std::string name = "kinetic energy of moving vortices at t = 0.4 s over that of the start, ";
-    probe.note(name + "exact [1]", exact.y.back());
-    probe.note(name + "of disordered blood [1]", found.y.back(), "no bound");
-    probe.plot({"Decay of Taylor and Green's vortices, Reynolds number 100",
-                "t [s]",
-                "kinetic energy / that of the start",
-                false,
-                true,
-                {found, exact}});
-}
-
-void taylor_green(Probe& probe)
-{
-    frozen(probe);
-    moving(probe);
-}
-
 } // namespace
 
 std::vector<Check> taylor_green_checks()
 {
-    return {limit_check("taylor_green", {"7", "1", "3", "15"},
-                        "resting vortices decay as the lattice says; how moving ones do is reported",
-                        {"(1 - rate dt)^n with the rate's lattice symbol", "Taylor and Green's solution"},
-                        taylor_green)};
+    return {flow_check("eq07_resting_vortices", {"7", "1", "15"},
+                       "resting vortices decay as the lattice says",
+                       {"(1 - rate dt)^n with the rate's lattice symbol"}, resting)};
 }
 
 } // namespace aneurysm::checks

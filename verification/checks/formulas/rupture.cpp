@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section 3.2: when the wall ruptures, by the criterion F_b > P_c (13); impulse (14) and impact (16).
+// Section 3.2: when the wall ruptures, by the criterion F/area > P_c (13) of its load F; impulse (14) and impact (16).
 #include "analytic/rupture.hpp"
 #include "analytic/relations.hpp"
 #include "verification/checks/arguments.hpp"
@@ -17,10 +17,9 @@ namespace
 
 void eq13_criterion(Probe& probe)
 {
-    Quantity& random =
-        probe.quantity("decision against the exact sign of F_b - P_c area", Source::rounding,
-                       "none but where |F_b - P_c area| is below gamma_1 P_c area: a quotient");
-    Quantity& tie = probe.quantity("decision at F_b/area = P_c and next to it", Source::exact,
+    Quantity& random = probe.quantity("decision against the exact sign of F - P_c area", Source::rounding,
+                                      "none but where |F - P_c area| is below gamma_1 P_c area: a quotient");
+    Quantity& tie = probe.quantity("decision at F/area = P_c and next to it", Source::exact,
                                    "none: the area is a power of 2, so that the quotient is exact");
     Quantity& largest =
         probe.quantity("decision next to the largest pressure that the wall's law reaches", Source::solver,
@@ -31,10 +30,10 @@ void eq13_criterion(Probe& probe)
         const double P_c = a.between(500, 5000);
         const double area = a.between(0.1, 3);
         const double distance = std::pow(10, a.between(-15.9, -0.1));
-        const double F_b = P_c * area * (n % 2 == 0 ? 1 + distance : 1 - distance);
-        const double excess = analytic::excess(F_b, area, P_c);
+        const double F = P_c * area * (n % 2 == 0 ? 1 + distance : 1 - distance);
+        const double excess = analytic::excess(F, area, P_c);
         if (std::abs(excess) > rounding(1)) {
-            random.holds(probe.equations().ruptures(F_b, area, P_c) == (excess > 0),
+            random.holds(probe.equations().ruptures(F, area, P_c) == (excess > 0),
                          at({{"P_c", P_c}, {"area", area}, {"excess", excess}}));
         }
         for (const double power : {0.25, 1.0, 8.0}) {

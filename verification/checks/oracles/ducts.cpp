@@ -138,20 +138,6 @@ void stepped_ducts(Probe& probe)
             }
         }
     }
-    Quantity& slip = probe.quantity("u after n steps with slip, step by step - sum of the forces [m/s]",
-                                    Source::rounding, "as above; n roundings of the sum");
-    LatticeDuct free = channel(1, 8);
-    free.no_slip = false;
-    const Drive drive{g, 2 * pi / 0.8};
-    const double dt = 1e-3;
-    double sum = 0;
-    for (int n = 1; n <= 300; ++n) {
-        sum += dt * g * std::sin(drive.omega * n * dt);
-    }
-    const Profile swung = step_by_step(DuctOperator(free), drive, dt, 300);
-    for (Eigen::Index a = 0; a < swung.value.size(); ++a) {
-        slip.within(swung.value(a), sum, swung.error + rounding(308) * sum);
-    }
 }
 
 /// The rows of a channel in a cube, between walls of six planes of ghosts from one side to the other.

@@ -2,9 +2,8 @@
 #include "verification/checks/sums/plates.hpp"
 
 #include "common/scenario/shipped.hpp"
+#include "verification/checks/box.hpp"
 #include "verification/checks/vectors.hpp"
-
-#include <random>
 
 namespace aneurysm::checks
 {
@@ -36,14 +35,7 @@ Scenario plates(int rows)
 SimulationState disturbed(const Probe& probe, const Scenario& s)
 {
     SimulationState state = probe.simulate(s)->state();
-    std::mt19937_64 bits(2449);
-    const auto random = [&] { return std::ldexp(static_cast<double>(bits() >> 54U), -9) - 1; };
-    for (std::size_t i = 0; i < state.particles.size(); ++i) {
-        for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-            state.particles.position[i].*axis += s.domain.spacing_m / 4 * random();
-            state.particles.velocity[i].*axis = random() / 2;
-        }
-    }
+    disturb(state.particles, {Kind::fluid}, s.domain.spacing_m / 4, 0.5, 2449);
     return state;
 }
 
