@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Installs what is missing, builds, and runs all tests: release, then under the sanitizers the unit tests that work on
-# memory of their own, then the style. With --tidy also clang-tidy over all sources (minutes). Where the sanitizers or this
-# project's version of clang-format aren't, their part is skipped with a word.
+# memory of their own, a minute of fuzzing, then the style. With --tidy also clang-tidy over all sources (minutes). Where the
+# sanitizers, clang with libFuzzer or this project's version of clang-format aren't, their part is skipped with a word.
 # ANEURYSM_WERROR=ON in the environment makes warnings errors.
 set -eu
 cd "$(dirname "$0")"
@@ -39,6 +39,16 @@ if echo 'int main() {}' | "${CXX:-c++}" -x c++ -fsanitize=address,undefined -o /
     ctest --preset sanitize --label-exclude long
 else
     skip "the sanitizers: ${CXX:-c++} can't link them here"
+fi
+
+if echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+    clang++ -x c++ -fsanitize=fuzzer,address,undefined -o /dev/null - 2>/dev/null; then
+    echo "== fuzz"
+    cmake/configure.sh fuzz ${ANEURYSM_WERROR:+"-DANEURYSM_WERROR=$ANEURYSM_WERROR"}
+    cmake --build --preset fuzz -- $quiet
+    ctest --preset fuzz
+else
+    skip "fuzzing: it takes clang with libFuzzer"
 fi
 
 # tool NAME: version 14 of a clang tool, whose judgement the sources are written to; another version's differs.

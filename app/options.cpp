@@ -5,6 +5,7 @@
 #include "common/exception.hpp"
 #include "common/parallel.hpp"
 #include "common/process/descriptors.hpp"
+#include "common/text.hpp"
 #include "output/file.hpp"
 
 #include <algorithm>
@@ -225,19 +226,6 @@ fs::path made_for_reports(const fs::path& directory)
 } // namespace
 
 ReportDirectory::ReportDirectory(const fs::path& directory) : lock_(made_for_reports(directory)) {}
-
-namespace
-{
-
-/// Names may have line ends and other control characters in them.
-std::string one_line(std::string text)
-{
-    std::ranges::replace_if(
-        text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
-    return text;
-}
-
-} // namespace
 
 int run_program(CLI::App& app, const std::optional<int>& code, int argc, const char* const* argv)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,26 @@ std::string joined(const Words& words, std::string_view separator = ", ")
         text.append(text.empty() ? "" : separator).append(word);
     }
     return text;
+}
+
+/// Without line ends and what else a terminal acts on, which names and files may have in them.
+inline std::string one_line(std::string text)
+{
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+    return text;
+}
+
+/// A piece of a file for a message: on one line, and not too long.
+inline std::string excerpt(std::string_view piece, std::size_t longest = 60)
+{
+    if (piece.size() <= longest) {
+        return one_line(std::string(piece));
+    }
+    while (longest > 0 && (static_cast<unsigned char>(piece[longest]) & 0xC0U) == 0x80U) {
+        --longest; // not within a character of UTF-8
+    }
+    return one_line(std::string(piece.substr(0, longest))) + "...";
 }
 
 /// As a shell takes it for one word.

@@ -4,12 +4,14 @@
 #include "common/error.hpp"
 #include "common/file.hpp"
 #include "common/hash.hpp"
+#include "common/text.hpp"
 #include "output/columns.hpp"
 #include "output/file.hpp"
 #include "output/hdf5.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <sstream>
 #include <string>
@@ -117,13 +119,43 @@ void check_block(const std::string& bytes, const std::string& where)
             "needed: version " + std::to_string(version) + ", or the program that wrote this one");
     }
     if (found_version != std::to_string(version)) {
-        throw InputError(where, "checkpoint of another version (" + found_version + ")",
+        throw InputError(where, "checkpoint of another version (" + excerpt(found_version) + ")",
                          "needed: version " + std::to_string(version));
     }
     if (found_hash != hash_after_block(bytes)) {
         throw InputError(where, "checkpoint is truncated or damaged (its hash differs)",
                          "needed: the file as it was written");
     }
+}
+
+/// What the hash doesn't say of a file that something else has written: that a run can go on from its state.
+void check_state(const Checkpoint& checkpoint, const std::string& where)
+{
+    const auto require = [&where](bool good, const std::string& what) {
+        if (!good) {
+            throw InputError(where, "no state of a run (" + what + ")", "needed: the file as it was written");
+        }
+    };
+    const SimulationState& s = checkpoint.state;
+    const Particles& p = s.particles;
+    require(static_cast<std::int64_t>(p.size()) == checkpoint.scenario.particles.count,
+            std::to_string(p.size()) + " particles of " +
+                std::to_string(checkpoint.scenario.particles.count));
+    require(s.frame >= 0, "frame " + std::to_string(s.frame));
+    require(s.spacing > 0 && std::isfinite(s.spacing) && p.mass > 0 && std::isfinite(p.mass),
+            "particles without size or mass");
+    const auto finite = [](double x) { return std::isfinite(x); };
+    const auto finite_vector = [](const Vec3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    require(std::ranges::all_of(p.position, finite_vector) &&
+                std::ranges::all_of(p.velocity, finite_vector) && std::ranges::all_of(p.pressure, finite) &&
+                std::ranges::all_of(p.kappa, finite) && std::ranges::all_of(p.drift, finite) &&
+                std::ranges::all_of(s.outlet_velocity, finite),
+            "a particle's number that isn't finite");
+    visit_aneurysm(s.aneurysm, [&](std::string_view name, auto number) {
+        require(std::isfinite(static_cast<double>(number)), std::string(name) + " isn't finite");
+    });
 }
 
 } // namespace
@@ -160,6 +192,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file)
     visit_numbers(checkpoint.state, [&](const char* group, std::string_view name, auto& number) {
         read_number(root.open_group(group), std::string(name), number);
     });
+    check_state(checkpoint, where);
     return checkpoint;
 }
 

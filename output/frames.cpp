@@ -4,6 +4,7 @@
 #include "common/error.hpp"
 #include "common/file.hpp"
 #include "common/hash.hpp"
+#include "common/text.hpp"
 #include "output/columns.hpp"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace aneurysm::output
 {
 namespace
 {
+
+constexpr const char* as_written = "needed: the file as it was written";
 
 template <class Number>
 std::string text_of(Number x)
@@ -93,27 +96,42 @@ std::string frames_row(const FrameRecord& record)
     return line;
 }
 
+namespace
+{
+
+/// \throws InputError at `where`, which is the line's place
+FrameRecord read_row(const std::string& line, const std::string& where)
+{
+    FrameRecord record;
+    std::istringstream cells(line);
+    visit_record(record, [&](std::string_view name, auto& value) {
+        std::string cell;
+        if (!std::getline(cells, cell, ',') || !parse(cell, value)) {
+            throw InputError(where, "unreadable " + std::string(name) + " (" + excerpt(cell) + ")",
+                             as_written);
+        }
+    });
+    return record;
+}
+
+} // namespace
+
 std::vector<FrameRecord> read_frames(const std::filesystem::path& file)
 {
     std::istringstream stream(read_text(file));
     std::string line;
-    if (!std::getline(stream, line) || line != frames_header()) {
+    if (!std::getline(stream, line) || line != frames_header() || stream.eof()) {
         throw InputError(file.string() + ": line 1", "other columns than this version writes",
                          "needed: its own frames.csv");
     }
     std::vector<FrameRecord> records;
     while (std::getline(stream, line)) {
-        FrameRecord record;
-        std::istringstream cells(line);
-        visit_record(record, [&](std::string_view name, auto& value) {
-            std::string cell;
-            if (!std::getline(cells, cell, ',') || !parse(cell, value)) {
-                throw InputError(file.string() + ": line " + std::to_string(records.size() + 2),
-                                 "unreadable " + std::string(name) + " (" + cell + ")",
-                                 "needed: the file as it was written");
-            }
-        });
-        records.push_back(record);
+        const std::string where = file.string() + ": line " + std::to_string(records.size() + 2);
+        records.push_back(read_row(line, where));
+        // Another cell, or digits that are lost, don't change what was read; a line that is cut short may read as whole.
+        if (stream.eof() || line != frames_row(records.back())) {
+            throw InputError(where, "not as a run writes it (" + excerpt(line) + ")", as_written);
+        }
     }
     return records;
 }

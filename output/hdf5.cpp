@@ -2,6 +2,7 @@
 #include "output/hdf5.hpp"
 
 #include "common/error.hpp"
+#include "common/text.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -26,7 +27,7 @@ herr_t note_reason(hid_t stack, void*)
         return 0;
     };
     H5Ewalk2(stack, H5E_WALK_UPWARD, take_first, nullptr);
-    std::replace(library_reason.begin(), library_reason.end(), '\n', ' ');
+    library_reason = excerpt(library_reason);
     return 0;
 }
 

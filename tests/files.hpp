@@ -88,13 +88,14 @@ inline void set(Numbers&, Phase& x)
     x = Phase::fully_developed;
 }
 
-inline SimulationState any_state(std::int64_t frame, std::size_t count = 50)
+/// \param count  of particles; by default as many as scenario() has
+inline SimulationState any_state(std::int64_t frame, std::size_t count = 1500)
 {
     Numbers numbers;
     SimulationState s;
     s.frame = frame;
-    s.spacing = numbers.next();
-    s.particles.mass = numbers.next();
+    s.spacing = std::abs(numbers.next());
+    s.particles.mass = std::abs(numbers.next());
     for (std::size_t i = 0; i < count; ++i) {
         s.particles.position.push_back(numbers.vector());
         s.particles.velocity.push_back(numbers.vector());

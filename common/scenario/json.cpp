@@ -82,7 +82,8 @@ std::string reason_of(const nlohmann::json::exception& error)
     const auto quoted = std::min(text.find("; last read"), text.size());
     const bool printable = text.find("ill-formed UTF-8") == std::string::npos;
     const auto from = start == std::string::npos ? 0 : start + 2;
-    return text.substr(from, printable ? std::string::npos : quoted - from);
+    constexpr std::size_t longest = 200; // what is quoted may be a whole text
+    return excerpt(text.substr(from, printable ? std::string::npos : quoted - from), longest);
 }
 
 /// One JSON value into one member.

@@ -4,6 +4,7 @@
 
 #include "common/error.hpp"
 #include "common/scenario/fields.hpp"
+#include "common/text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -38,8 +39,7 @@ inline std::string shown(const Json& value)
 /// Where something is wrong, for messages: "file: path".
 inline std::string place(const std::string& origin, std::string_view path)
 {
-    std::string text = origin + ": ";
-    return text.append(path);
+    return origin + ": " + excerpt(path);
 }
 
 /// What a range allows, for messages: "a number > 0 and <= 1.0".

@@ -15,16 +15,10 @@ import termios
 import time
 
 import program
+from breaks import manifest, rows, same_bytes, same_files, write_scenario
 from program import expect, read_json
 
 frames = 90
-
-
-def write_scenario(file, **changes):
-    scenario = program.changed(program.quick, **changes)
-    file.write_text(json.dumps({"name": "short", "output": {"particles_every_frames": 20, "checkpoint_every_frames": 25},
-                                **scenario}))
-    return file
 
 
 def heed_interrupts(limit=None):
@@ -38,11 +32,6 @@ def heed_interrupts(limit=None):
     return {"preexec_fn": prepare}
 
 
-def rows(directory):
-    file = directory / "frames.csv"
-    return max(0, file.read_text().count("\n") - 1) if file.exists() else 0
-
-
 def stop_after(scenario, directory, row, how, *more, **settings):
     """Starts a run and sends it a signal when it has written a row."""
     process = program.start("run", scenario, "--out", directory, *more, "--frames", frames,
@@ -54,25 +43,13 @@ def stop_after(scenario, directory, row, how, *more, **settings):
     return process.returncode, err
 
 
-def manifest(directory):
-    return read_json(directory / "manifest.json")
-
-
-def same_bytes(one, other, names, label):
-    for name in names:
-        expect((one / name).read_bytes() == (other / name).read_bytes(), f"{label}: the same bytes expected in {name}")
-
-
 def go_on(directory, whole, label):
     """Resumes and compares all that must not depend on the break."""
     program.run("run", "--resume", "--out", directory, "--frames", frames)
     expect(manifest(directory)["status"] == "finished", f"{label}: finished expected")
     expect(len(manifest(directory)["resumed_at_frames"]) == 1, f"{label}: one resumption expected")
     expect(manifest(directory)["state_hash"] == manifest(whole)["state_hash"], f"{label}: the same state expected")
-    names = sorted(path.relative_to(whole) for path in whole.rglob("*") if path.is_file())
-    found = sorted(path.relative_to(directory) for path in directory.rglob("*") if path.is_file())
-    expect(found == names, f"{label}: the same files expected: {found}")
-    same_bytes(directory, whole, [name for name in names if name.name != "manifest.json"], label)
+    same_files(directory, whole, label)
 
 
 def check_breaks(scratch):

@@ -2,7 +2,9 @@
 """`aneurysm reproduce` from the outside: the items that need no long runs, what they write, bad input, Ctrl-C."""
 import csv
 import html.parser
+import json
 import math
+import shutil
 import signal
 import time
 
@@ -140,4 +142,14 @@ def check_interruption(scratch):
     expect((run / "checkpoint.h5").exists(), "no checkpoint to go on from")
 
 
-program.check_all(check_items, check_text, check_calibrated_values, check_bad_input, check_interruption)
+def check_short_runs(scratch):
+    """A data folder of one's own, with runs that are too short for what Fig. 9 looks for."""
+    folder = scratch / "data"
+    shutil.copytree(data, folder)
+    short = program.changed("quick.json", time={"frames": 80})
+    (folder / "scenarios/calibrated.json").write_text(json.dumps({**short, "name": "calibrated"}))
+    _, errors = reproduce("fig9", "--seeds", 1, "--data", folder, "--out", scratch / "out", code=2)
+    expect("calibrated: time.frames: too few (80)" in errors, f"too few frames: {errors}")
+
+
+program.check_all(check_items, check_text, check_calibrated_values, check_bad_input, check_interruption, check_short_runs)

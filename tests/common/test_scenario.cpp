@@ -8,12 +8,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 #include <type_traits>
 
 using namespace aneurysm;
 using namespace aneurysm::test;
+using namespace std::string_literals;
 using Json = nlohmann::ordered_json;
 
 namespace
@@ -299,6 +301,21 @@ BOOST_AUTO_TEST_CASE(contradictions_are_refused)
         });
         json.merge_patch(Json::parse(patch));
         BOOST_TEST(refused(json.dump(), path) == (*path != '\0'), patch);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_quoted_of_a_scenario_is_short_and_printable)
+{
+    const std::string many(5000, 'x');
+    for (const std::string& text :
+         {R"({"\u001b[2J": 1})"s, R"({"a\nb": {"c\u007f": 1}, "a\nb": 1})"s, "{\"" + many + "\": 1}",
+          "{\"name\": \"" + many, "{\"name\": \"a\"\x7f\"b\"}"s, R"({"vessel": {"\r": 1}})"s,
+          R"({"assumed": {"vessel.\u001b": "x"}})"s}) {
+        const std::string message = message_of([&] { parse_scenario(text, "here"); });
+        BOOST_TEST(message.starts_with("here: "), message);
+        BOOST_TEST(message.size() < 1000U, message);
+        BOOST_TEST(std::ranges::none_of(message, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }),
+                   message);
     }
 }
 

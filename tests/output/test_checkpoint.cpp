@@ -82,6 +82,35 @@ BOOST_AUTO_TEST_CASE(a_damaged_checkpoint_is_refused)
     BOOST_TEST(refused());
 }
 
+BOOST_AUTO_TEST_CASE(a_state_that_no_run_has_is_refused)
+{
+    const Scratch scratch;
+    const fs::path file = scratch.path / "checkpoint.h5";
+    const auto message = [&file](auto change) {
+        SimulationState s = any_state(1);
+        change(s);
+        write_checkpoint(file, scenario(), s);
+        return message_of([&] { read_checkpoint(file); });
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    const std::string finite = "a particle's number that isn't finite";
+    BOOST_TEST(message([](SimulationState&) {}).empty());
+    BOOST_TEST(contains(message([](SimulationState& s) { s = any_state(1, 20); }), "20 particles of 1500"));
+    BOOST_TEST(contains(message([](SimulationState& s) { s.frame = -1; }), "frame -1"));
+    BOOST_TEST(contains(message([](SimulationState& s) { s.spacing = 0; }), "without size or mass"));
+    BOOST_TEST(
+        contains(message([&](SimulationState& s) { s.particles.mass = nan; }), "without size or mass"));
+    BOOST_TEST(contains(message([&](SimulationState& s) { s.particles.position[7].y = nan; }), finite));
+    BOOST_TEST(contains(message([&](SimulationState& s) { s.particles.velocity[7].x = infinite; }), finite));
+    BOOST_TEST(contains(message([&](SimulationState& s) { s.particles.pressure[7] = nan; }), finite));
+    BOOST_TEST(contains(message([&](SimulationState& s) { s.particles.kappa[7] = nan; }), finite));
+    BOOST_TEST(contains(message([&](SimulationState& s) { s.particles.drift[7] = nan; }), finite));
+    BOOST_TEST(contains(message([&](SimulationState& s) { s.outlet_velocity[1] = nan; }), finite));
+    BOOST_TEST(
+        contains(message([&](SimulationState& s) { s.aneurysm.radius = nan; }), "radius_m isn't finite"));
+}
+
 BOOST_AUTO_TEST_CASE(a_foreign_checkpoint_is_refused)
 {
     const Scratch scratch;

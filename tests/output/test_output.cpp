@@ -50,6 +50,28 @@ BOOST_AUTO_TEST_CASE(rows_come_back_to_the_same_bits)
     BOOST_TEST(contains(message_of([&] { read_frames(file); }), "line 1"));
 }
 
+BOOST_AUTO_TEST_CASE(rows_are_taken_only_as_they_are_written)
+{
+    const Scratch scratch;
+    const fs::path file = scratch.path / "frames.csv";
+    const std::string header = frames_header() + "\n";
+    const std::string row = frames_row(any_record(1));
+    const auto message = [&](const std::string& text) {
+        write_text(file, text);
+        return message_of([&] { read_frames(file); });
+    };
+    BOOST_TEST(message(header + row + "\n").empty());
+    for (const std::string& bad : {row + ",", row + ",5\n", row + "\r\n", "0" + row + "\n"}) {
+        BOOST_TEST(contains(message(header + bad), "line 2: "), bad);
+    }
+    // Cut within the last number, which then is another one.
+    BOOST_TEST(contains(message(header + row.substr(0, row.size() - 1)), "line 2: not as a run writes it"));
+    BOOST_TEST(contains(message(frames_header()), "line 1"));
+    const std::string escape = message(header + "\x1b[2J" + std::string(1000, 'x') + "\n");
+    BOOST_TEST(contains(escape, "unreadable frame (?[2Jxxx"));
+    BOOST_TEST(escape.size() < 300U);
+}
+
 BOOST_AUTO_TEST_CASE(an_atomic_write_that_fails_leaves_the_old_file)
 {
     const Scratch scratch;
@@ -116,7 +138,7 @@ BOOST_AUTO_TEST_CASE(resuming_goes_back_to_the_checkpoint)
 {
     const Scratch scratch;
     const fs::path out = scratch.path / "run";
-    const std::vector<double> density(50, 1050);
+    const std::vector<double> density(1500, 1050);
     const Vessel vessel(scenario(), 0.4);
     {
         RunDirectory run = RunDirectory::create(out, scenario(), engine);

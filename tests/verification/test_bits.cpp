@@ -113,8 +113,20 @@ BOOST_AUTO_TEST_CASE(bits_recorded_hashes_are_read_back_and_checked)
     };
     BOOST_TEST(contains(message("slow", Precision::float_), "line 1: of another scenario"));
     BOOST_TEST(contains(message("quick", Precision::double_), "line 3: of another precision"));
-    write_text(file, text.substr(0, text.size() - 20));
-    BOOST_TEST(contains(message("quick", Precision::float_), "line 8: unreadable"));
-    write_text(file, "frame\n1\n");
-    BOOST_TEST(contains(message("quick", Precision::float_), "no scenario, scenario_hash"));
+    const auto message_to = [&](const std::string& other) {
+        write_text(file, other);
+        return message("quick", Precision::float_);
+    };
+    BOOST_TEST(contains(message_to(text.substr(0, text.size() - 20)), "line 8: cut short"));
+    BOOST_TEST(contains(message_to(text.substr(0, text.size() - 1)), "line 8: cut short"));
+    BOOST_TEST(contains(message_to("frame\n1\n"), "line 1: no scenario (frame)"));
+    // A frame twice, hashes that are none, one too many, a frame with a zero before it.
+    const std::string header = text.substr(0, text.find("\n1,") + 1);
+    const std::string row = text.substr(header.size(), text.find('\n', header.size()) + 1 - header.size());
+    BOOST_TEST(message_to(header + row).empty());
+    for (const std::string& bad :
+         {row + row, "0" + row, row.substr(0, row.size() - 1) + ",\n", row.substr(0, row.size() - 2) + "\n",
+          row.substr(0, row.size() - 2) + "g\n", row.substr(0, row.size() - 1) + "\r\n"}) {
+        BOOST_TEST(contains(message_to(header + bad), "unreadable, or a frame that isn't after"), bad);
+    }
 }

@@ -7,6 +7,7 @@
 #include "output/build_info.hpp"
 #include "output/frames.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -92,40 +93,84 @@ std::string to_csv(const RecordedHashes& hashes)
     return text.str();
 }
 
+namespace
+{
+
+/// The lines of a file of hashes, one after the other.
+class Lines
+{
+public:
+    explicit Lines(const std::filesystem::path& file) : file_(file.string()), stream_(read_text(file)) {}
+
+    /// \return whether there was one more \throws InputError when it is cut short
+    bool next()
+    {
+        if (!std::getline(stream_, line)) {
+            return false;
+        }
+        ++number_;
+        require(!stream_.eof(), "cut short");
+        return true;
+    }
+    /// What stands behind "# key ".
+    std::string title(const std::string& key)
+    {
+        const std::string start = "# " + key + " ";
+        require(next() && line.starts_with(start) && line.size() > start.size(),
+                "no " + key + " (" + excerpt(line) + ")");
+        return line.substr(start.size());
+    }
+    /// \throws InputError at this line
+    void require(bool good, const std::string& what,
+                 const std::string& advice = "needed: the file as it was written") const
+    {
+        if (!good) {
+            throw InputError(file_ + ": line " + std::to_string(number_), what, advice);
+        }
+    }
+
+    std::string line;
+
+private:
+    std::string file_;
+    std::istringstream stream_;
+    std::size_t number_ = 0;
+};
+
+bool is_hash(const std::string& cell)
+{
+    return cell.size() == 16 && cell.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+} // namespace
+
 RecordedHashes read_hashes(const std::filesystem::path& file, const std::string& scenario,
                            Precision precision)
 {
-    std::istringstream stream(read_text(file));
-    std::size_t number = 1;
-    const auto require = [&](bool good, const std::string& what,
-                             const std::string& advice = "needed: the file as it was written") {
-        if (!good) {
-            throw InputError(file.string() + ": line " + std::to_string(number), what, advice);
-        }
-    };
-    std::map<std::string, std::string> title;
-    std::string line;
-    for (; std::getline(stream, line) && line.starts_with("# "); ++number) {
-        std::istringstream words(line.substr(2));
-        std::string key;
-        std::string value;
-        words >> key >> value;
-        require(key != "scenario" || value == scenario, "of another scenario (" + value + ")",
-                "needed: " + scenario);
-        require(key != "precision" || value == name_of(precision), "of another precision (" + value + ")",
-                "needed: " + name_of(precision));
-        title[key] = value;
-    }
-    require(!title["scenario"].empty() && !title["scenario_hash"].empty() && !title["precision"].empty(),
-            "no scenario, scenario_hash or precision above");
-    require(line == header(), "other columns than this version hashes", "record the hashes again");
-    RecordedHashes result{scenario, title["scenario_hash"], precision, {}};
-    while (std::getline(stream, line)) {
-        ++number;
-        std::vector<std::string> cells = split(line);
+    Lines lines(file);
+    const std::string its_scenario = lines.title("scenario");
+    lines.require(its_scenario == scenario, "of another scenario (" + excerpt(its_scenario) + ")",
+                  "needed: " + scenario);
+    const std::string scenario_hash = lines.title("scenario_hash");
+    lines.require(is_hash(scenario_hash), "no hash (" + excerpt(scenario_hash) + ")");
+    const std::string its_precision = lines.title("precision");
+    lines.require(its_precision == name_of(precision),
+                  "of another precision (" + excerpt(its_precision) + ")",
+                  std::string("needed: ") + name_of(precision));
+    lines.title("version");
+    lines.require(lines.next() && lines.line == header(), "other columns than this version hashes",
+                  "record the hashes again");
+    RecordedHashes result{scenario, scenario_hash, precision, {}};
+    for (std::int64_t last = 0; lines.next();) {
+        const std::vector<std::string> cells = split(lines.line);
         const std::int64_t frame = cells.empty() ? -1 : frame_of(cells[0]);
-        require(frame >= 0 && cells.size() == hash_columns().size() + 1, "unreadable");
-        result.frames[frame] = {cells.begin() + 1, cells.end()};
+        const std::vector<std::string> hashes(cells.begin() + (cells.empty() ? 0 : 1), cells.end());
+        lines.require(frame > last && hashes.size() == hash_columns().size() &&
+                          std::ranges::all_of(hashes, is_hash) &&
+                          lines.line == std::to_string(frame) + "," + joined(hashes, ","),
+                      "unreadable, or a frame that isn't after the one before (" + excerpt(lines.line) + ")");
+        result.frames[frame] = hashes;
+        last = frame;
     }
     return result;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Figures 7, 9 and 10: impact, thickness and critical pressure over the frames.
+#include "common/error.hpp"
 #include "common/text.hpp"
 #include "reference/growth.hpp"
 #include "verification/reproduction/ensemble.hpp"
@@ -40,6 +41,20 @@ PlotSeries load_as_pressure(const Member& member, int color)
         y /= member.scenario.rupture.conversion_area_m2;
     }
     return pressure;
+}
+
+/// Frames of a cycle of the heart. \throws InputError unless the runs have two, each longer than the warm-up, as what is said
+/// about their F_b takes for granted
+std::size_t frames_of_cycle(const Scenario& scenario)
+{
+    const auto cycle = static_cast<std::size_t>(std::llround(scenario.inlet.cycle_s / scenario.time.frame_s));
+    if (cycle < warm_up || static_cast<std::size_t>(scenario.time.frames) < 2 * cycle) {
+        throw InputError(scenario.name + ": time.frames",
+                         "too few (" + std::to_string(scenario.time.frames) + ") for Fig. 9",
+                         "needed: two cycles (inlet.cycle_s) of at least " + std::to_string(warm_up) +
+                             " frames each (now " + std::to_string(cycle) + ")");
+    }
+    return cycle;
 }
 
 /// Amplitude of a period of F_b over whole cycles of 800 frames after the warm-up.
@@ -263,6 +278,7 @@ Section figure7(Reproduction& reproduction)
 Section figure9(Reproduction& reproduction)
 {
     const Scenario scenario = calibrated_scenario();
+    const std::size_t cycle = frames_of_cycle(scenario);
     const std::vector<Member> members =
         ensemble(reproduction.runs, scenario, reproduction.first_seed, reproduction.seeds);
     const Member& shown = members.front();
@@ -290,7 +306,6 @@ Section figure9(Reproduction& reproduction)
                   last.thickness, last.critical_pressure);
         ++color;
     }
-    const auto cycle = static_cast<std::size_t>(std::llround(scenario.inlet.cycle_s / scenario.time.frame_s));
     Section section{"fig9", "Fig. 9: impact force, critical pressure and thickness by Poisson's ratio"};
     section.text = {"Seed " + std::to_string(shown.seed()) +
                     ", each wall up to its rupture (triangle). Table 4 has the means over all seeds."};
