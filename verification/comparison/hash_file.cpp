@@ -116,7 +116,8 @@ public:
     std::string title(const std::string& key)
     {
         const std::string start = "# " + key + " ";
-        require(next() && line.starts_with(start) && line.size() > start.size(),
+        const bool is_there = next();
+        require(is_there && line.starts_with(start) && line.size() > start.size(),
                 "no " + key + " (" + excerpt(line) + ")");
         return line.substr(start.size());
     }
