@@ -93,6 +93,8 @@ def check_command(scratch, command):
     out = re.search(r"--out (\S+)", words)
     if out and "render" not in words:
         shutil.rmtree(scratch / out[1], ignore_errors=True)
+    if "aneurysm verify" in words and not out:
+        shutil.rmtree(scratch / "results/verify", ignore_errors=True)
     if "--resume" in words:
         run(scratch, "quick", out[1], frames // 2)
     done = sh(scratch, words)

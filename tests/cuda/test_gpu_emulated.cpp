@@ -27,6 +27,7 @@ Scenario quick()
 {
     Scenario scenario = shipped_scenario("quick");
     scenario.particles.count = 700;
+    scenario.rupture.yield_limit_pa /= 2; // ruptures in the first 200 frames
     return scenario;
 }
 
