@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_foreign_checkpoint_is_refused)
     const fs::path file = scratch.path / "checkpoint.h5";
     const auto message = [&] { return message_of([&] { read_checkpoint(file); }); };
     const SimulationState s = any_state(1);
-    write_vtk(file, {s.particles, std::vector<double>(50, 1050)});
+    write_vtk(file, {s.particles, std::vector<double>(s.particles.size(), 1050)});
     BOOST_TEST(contains(message(), "no checkpoint"));
     write_checkpoint(file, scenario(), s);
     const std::string good = read_text(file);
