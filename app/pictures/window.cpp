@@ -59,10 +59,10 @@ vtkSmartPointer<vtkRenderer> make_white(double from)
 
 Window::Window(const Scenario& scenario, double spacing, Worker& worker, std::int64_t last, int width,
                int height)
-    : scenario_(scenario), worker_(worker), last_(last), scene_(scenario, reference::vessel_of(scenario), spacing),
-      overlay_(scene_.renderer(), font), impact_(pictures::FrameChart::Content::impact, font),
-      wall_(pictures::FrameChart::Content::wall, font), charts_(make_white(scene_part)),
-      window_(vtkSmartPointer<vtkRenderWindow>::New()),
+    : scenario_(scenario), worker_(worker), last_(last),
+      scene_(scenario, reference::vessel_of(scenario), spacing), overlay_(scene_.renderer(), font),
+      impact_(pictures::FrameChart::Content::impact, font), wall_(pictures::FrameChart::Content::wall, font),
+      charts_(make_white(scene_part)), window_(vtkSmartPointer<vtkRenderWindow>::New()),
       interactor_(vtkSmartPointer<vtkRenderWindowInteractor>::New())
 {
     look_.wall_cells = 10; // faster than the pictures of render
