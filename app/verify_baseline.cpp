@@ -207,7 +207,8 @@ int record(const fs::path& data, comparison::Baseline baseline)
 {
     const fs::path file = data / "baseline.json";
     if (const std::string why = output::why_not_writable(file); !why.empty()) {
-        throw InputError(file.string(), "cannot be written (" + why + ")", "needed: a data folder of one's own");
+        throw InputError(file.string(), "cannot be written (" + why + ")",
+                         "needed: a data folder of one's own");
     }
     const std::vector<comparison::BaselineScenario> scenarios = baseline.scenarios;
     const std::vector<Task> tasks =
@@ -239,8 +240,7 @@ int record(const fs::path& data, comparison::Baseline baseline)
     baseline.version = build.version;
     baseline.commit = build.commit;
     comparison::write_baseline(data, baseline);
-    std::cout << "recorded in " << file.string() << " and " << (data / "hashes").string()
-              << std::endl;
+    std::cout << "recorded in " << file.string() << " and " << (data / "hashes").string() << std::endl;
     return 0;
 }
 

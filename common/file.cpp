@@ -44,7 +44,10 @@ public:
         }
         return true;
     }
-    bool status(struct stat& found) const { return descriptor_.is_open() && ::fstat(descriptor_.number(), &found) == 0; }
+    bool status(struct stat& found) const
+    {
+        return descriptor_.is_open() && ::fstat(descriptor_.number(), &found) == 0;
+    }
 
 private:
     Descriptor descriptor_;
