@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # Installs what is missing, builds, and runs all tests: release, then under the sanitizers the unit tests that work on
-# memory of their own, a minute of fuzzing, then the style. With --tidy also clang-tidy over all sources (minutes). Where the
+# memory of their own, half a minute of fuzzing, then the style. With --tidy also clang-tidy over all sources (minutes). Where the
 # sanitizers, clang with libFuzzer or this project's version of clang-format aren't, their part is skipped with a word.
 # ANEURYSM_WERROR=ON in the environment makes warnings errors.
 set -eu

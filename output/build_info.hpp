@@ -7,8 +7,8 @@ namespace aneurysm::output
 /// What this program was built from and how.
 struct BuildInfo {
     const char* version;
-    const char*
-        commit; ///< "unknown" without a repository of their own or git's mark in an archive; ends in -dirty when sources differ from it
+    /// "unknown" without a repository of their own or git's mark in an archive; ends in -dirty when sources differ from it.
+    const char* commit;
     const char* compiler;
     const char* flags;
 };

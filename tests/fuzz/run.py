@@ -8,6 +8,7 @@ usage: run.py BUILD (--seconds S | --runs N) [--seed N] [--only X,Y] [--record F
 """
 import argparse
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -18,7 +19,7 @@ import time
 here = pathlib.Path(__file__).resolve().parent
 data = here.parent.parent / "data"
 longest = {"checkpoint": 1 << 16, "frames": 1 << 12, "hashes": 1 << 12, "scenario": 1 << 13, "waveform": 1 << 10}  # bytes
-limits = ("-timeout=60", "-rss_limit_mb=2048", "-print_final_stats=1", "-verbosity=1")
+limits = ("-timeout=60", "-rss_limit_mb=2048", "-malloc_limit_mb=1000000000", "-print_final_stats=1", "-verbosity=1")
 statistics = {"executions": "number_of_executed_units", "kept": "new_units_added", "slowest [s]": "slowest_unit_time_sec",
               "memory [MB]": "peak_rss_mb"}
 
@@ -47,9 +48,11 @@ def run(target, arguments, scratch, limit, found):
     kept.mkdir()
     command = [target, *limits, *limit, f"-seed={arguments.seed}", f"-max_len={longest[name]}", f"-dict={scratch / 'words'}",
                f"-artifact_prefix={found}/{name}-", kept, here / "corpus" / name]
+    # HDF5 asks for as much memory as a file says, and takes a no; and it forgets some of a file that it refuses.
+    options = "allocator_may_return_null=1:detect_leaks=0" if name == "checkpoint" else ""
     begun = time.monotonic()
     done = subprocess.run(list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace",
-                          cwd=scratch)
+                          cwd=scratch, env={**os.environ, "ASAN_OPTIONS": options})
     row = {"target": name, "seconds": round(time.monotonic() - begun)}
     for label, key in statistics.items():
         match = re.search(rf"stat::{key}:\s+(\d+)", done.stderr)
