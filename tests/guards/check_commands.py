@@ -39,7 +39,7 @@ ELSEWHERE = {
     "build/release/bin/aneurysm view data/scenarios/quick.json": "by check_pictures, since it needs a display",
     "verification/gpu_check.sh OUT": "needs a GPU",
     "cmake --preset fuzz && cmake --build --preset fuzz": "./test.sh itself does it, where clang has libFuzzer",
-    "python3 tests/fuzz/run.py build/fuzz --seconds 60": "the test fuzz of the preset fuzz is this command",
+    "python3 tests/fuzz/run.py build/fuzz --runs 3000": "the test fuzz of the preset fuzz is this command",
     "python3 tests/fuzz/run.py build/fuzz --runs 1000000 --record verification/records/fuzz.md": "takes an hour",
     "python3 tests/app/check_kills.py build/release/bin/aneurysm data 100 1 verification/records/kills.md":
         "takes a quarter of an hour; by check_kills, nine times",
