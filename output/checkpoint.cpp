@@ -145,9 +145,7 @@ void check_state(const Checkpoint& checkpoint, const std::string& where)
     require(s.spacing > 0 && std::isfinite(s.spacing) && p.mass > 0 && std::isfinite(p.mass),
             "particles without size or mass");
     const auto finite = [](double x) { return std::isfinite(x); };
-    const auto finite_vector = [](const Vec3& v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
+    const auto finite_vector = [](const Vec3& v) { return is_finite(v); };
     require(std::ranges::all_of(p.position, finite_vector) &&
                 std::ranges::all_of(p.velocity, finite_vector) && std::ranges::all_of(p.pressure, finite) &&
                 std::ranges::all_of(p.kappa, finite) && std::ranges::all_of(p.drift, finite) &&

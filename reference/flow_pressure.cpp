@@ -164,7 +164,6 @@ std::vector<double> Flow::predicted_density(const FlowStep& step, std::span<cons
 void Flow::shift_blood(FlowStep& step, const Particles& p) const
 {
     const double rho_0 = scenario_->fluid.density_kg_m3;
-    step.shift.assign(p.size(), {});
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (p.kind[i] == Kind::fluid && step.rho[i] >= guards::void_density * rho_0) {
             step.shift[i] =
@@ -212,8 +211,8 @@ void Flow::correct_density(FlowStep& step, Particles& p, FrameRecord& record, st
 ///
 ///     beta (rho_i - rho_0) / dt + Drho_i/Dt((x' - x) / dt) = 0
 ///
-/// kappa >= 0 beside a void, outside of the wall and in the far layers of a buffer: nothing pulls there; and everywhere for a correction that
-/// only pushes, from which walls are mirrors, so that blood keeps its distance from them.
+/// kappa >= 0 beside a void, outside of the wall and in the far layers of a buffer: nothing pulls there; and everywhere
+/// for a correction that only pushes, from which walls are mirrors, so that blood keeps its distance from them.
 IncompressibleReport Flow::solve_correction(const FlowStep& step, const Particles& p,
                                             std::span<const double> rho, const Correction& how,
                                             std::span<double> kappa, std::vector<Vec3>& way) const

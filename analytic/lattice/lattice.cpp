@@ -3,8 +3,12 @@
 
 #include "analytic/kernel_function.hpp"
 
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
 #include <array>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace aneurysm::analytic
@@ -139,6 +143,39 @@ VectorEstimate gradient_sum(const Lattice& l, const Vector3d& k)
         G.error = std::max(G.error, sums.at(a).error(steepest(l)));
     }
     return G;
+}
+
+double shift_limit(const Lattice& l)
+{
+    constexpr int points = 12;
+    std::vector<std::pair<Vector3d, Eigen::Matrix3d>> hessians;
+    for_points(l.dx, 2 * l.h, [&](const Vector3d& x) {
+        const double r = x.norm();
+        if (r > 0) {
+            const double step = 1e-5 * l.h;
+            const double curvature =
+                (kernel_slope(l.kernel, l.h, r + step) - kernel_slope(l.kernel, l.h, r - step)) / (2 * step);
+            const Eigen::Matrix3d along = x.normalized() * x.normalized().transpose();
+            const double across = kernel_slope(l.kernel, l.h, r) / r;
+            hessians.emplace_back(x, curvature * along + across * (Eigen::Matrix3d::Identity() - along));
+        }
+    });
+    double largest = 0;
+    for (int i = 0; i <= points;
+         ++i) { // 0 <= k_z <= k_y <= k_x <= pi / dx: the lattice's symmetry gives the rest
+        for (int j = 0; j <= i; ++j) {
+            for (int n = 0; n <= j; ++n) {
+                const Vector3d k = pi / points / l.dx * Vector3d(i, j, n);
+                Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+                for (const auto& [x, hessian] : hessians) {
+                    A += (1 - std::cos(k.dot(x))) * hessian;
+                }
+                const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solved(A, Eigen::EigenvaluesOnly);
+                largest = std::max(largest, solved.eigenvalues().maxCoeff());
+            }
+        }
+    }
+    return 2 * kernel_sum(l).value / (l.dx * l.dx * largest);
 }
 
 Estimate gradient_floor(const Lattice& l)

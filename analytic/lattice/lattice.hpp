@@ -46,6 +46,11 @@ Estimate gradient_square_sum(const Lattice& lattice);
 /// Eq. (7)  sum_x lap W(x) (1 - cos k.x) of Mueller's kernel [1/m^5]; times a cell it tends to k^2.
 Estimate viscosity_sum(const Lattice& lattice, const Eigen::Vector3d& k);
 
+/// The strength beta of shifts -beta dx^2 sum_j m_j/rho_0 grad W_ij from which on a disorder of the lattice grows: a
+/// wave u of displacements is shifted by -beta A u with A = dx^2 sum_x (1 - cos k.x) hess W(x) / sum_x W(x), so it is 2
+/// over the largest eigenvalue of A over the Brillouin zone, on a grid of it; the Hessian by differences. To 1e-3 [1].
+double shift_limit(const Lattice& lattice);
+
 // The same by Poisson's formula, sum_x f(x) e^{-ik.x} = dx^-3 sum_m fhat(k + 2 pi m/dx).
 
 /// Eq. (5) by Poisson's formula over shells |m|^2 < 200^2, each with the number of its lattice points. The

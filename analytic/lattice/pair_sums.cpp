@@ -105,6 +105,15 @@ double weight(const Cloud& c, std::size_t j)
     return mirrored(c, j) ? 2 : 1;
 }
 
+/// factor sum_j m_j grad W_ij, with `more` roundings of the factor.
+VectorEstimate volume_gradient(const Cloud& c, double factor, std::size_t i, int more)
+{
+    const auto term = [&](std::size_t j) { return factor * c.mass[j]; };
+    return sum_over_pairs(
+        c, c.position[i], largest_slope(c),
+        [&](std::size_t j, const Vector3d& x) { return Vector3d(term(j) * gradient(c, x)); }, term, more);
+}
+
 /// Magnitude of w_j m_j (v_i - v_j).
 auto speeds(const Cloud& c, std::size_t i)
 {
@@ -163,10 +172,7 @@ Estimate pair_density_ahead(const Cloud& c, const std::vector<Vector3d>& way, st
 
 VectorEstimate pair_shift(const Cloud& c, double rho_0, double dx, double beta, std::size_t i)
 {
-    const auto factor = [&](std::size_t j) { return -beta * dx * dx * c.mass[j] / rho_0; };
-    return sum_over_pairs(
-        c, c.position[i], largest_slope(c),
-        [&](std::size_t j, const Vector3d& x) { return Vector3d(factor(j) * gradient(c, x)); }, factor, 6);
+    return volume_gradient(c, -beta * dx * dx / rho_0, i, 6);
 }
 
 Estimate pair_mean(const Cloud& c, const std::vector<double>& A, std::size_t i)
@@ -256,10 +262,7 @@ VectorEstimate pair_viscosity_force(const Cloud& c, double mu, std::size_t i)
 
 VectorEstimate pair_outlet_force(const Cloud& c, double rho_0, double p, std::size_t i)
 {
-    const auto factor = [&](std::size_t j) { return 2 * p * c.mass[j] / rho_0; };
-    return sum_over_pairs(
-        c, c.position[i], largest_slope(c),
-        [&](std::size_t j, const Vector3d& x) { return Vector3d(factor(j) * gradient(c, x)); }, factor);
+    return volume_gradient(c, 2 * p / rho_0, i, 0);
 }
 
 VectorEstimate pair_pressure_acceleration(const Cloud& c, double rho_0, std::size_t i)

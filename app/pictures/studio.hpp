@@ -49,7 +49,7 @@ private:
 pictures::Image color_bar_strip(int width, int height, int font, pictures::Quantity quantity,
                                 const pictures::Range& range);
 
-/// "t = 2.400 s   growing   F_b = 812 N   P_c = 3098 Pa   R = 0.3932 m   h = 10.43 mm"
+/// "t = 2.400 s   growing   load = 812 N   P_c = 3098 Pa   R = 0.3932 m   h = 10.43 mm"
 std::string numbers_of(const FrameRecord& record);
 
 } // namespace aneurysm::app

@@ -28,11 +28,11 @@ struct FreeRunSettings {
 ///
 /// For that the members must be disturbed as the candidate is, from the first frame on, also while their
 /// spread is still that of rounding. They start one ulp of the candidate's precision apart, and after every
-/// frame each particle's place and velocity, and the wall's state, are moved at random within the bound of
-/// what rounding does to the candidate in that frame: the bound of compare_lockstep. So are the tolerances of
-/// the solve of (3), by the rounding of its residual: one iteration more or less moves more than any rounding
-/// of a place. The bounds are worst cases, so early spreads are too wide rather than too narrow; late ones
-/// are the flow's own.
+/// frame each particle's place and velocity, and the wall's state, are moved at random by about what rounding
+/// does to the candidate in that frame: the bound of compare_lockstep, over the root of the number of terms of a
+/// sum, whose roundings are independent. So are the tolerances of the solve of (3), by the rounding of its
+/// residual: one iteration more or less moves more than any rounding of a place. That is still rather too much
+/// than too little for early spreads; late ones are the flow's own.
 ///
 /// Distances between particles are only reported.
 /// \param candidate  at the state that all start from

@@ -120,6 +120,13 @@ void impact_resolution(Probe& probe)
                     change(fine.growth, coarse.growth), 0.15});
     probe.accuracy({"growth of R at 40,296 against 5,520 particles: relative change",
                     change(finest.growth, coarse.growth), 0.15, measured(0.167)});
+    for (const std::int64_t particles : {15456, 40296}) {
+        const Run same_step = grown(particles, 1);
+        probe.accuracy({"growth of R at " + std::string(particles == 15456 ? "15,456" : "40,296") +
+                            " against 5,520 particles, same time step: relative change",
+                        change(same_step.growth, coarse.growth), 0.15,
+                        measured(particles == 15456 ? 0.287 : 0.339)});
+    }
 }
 
 } // namespace

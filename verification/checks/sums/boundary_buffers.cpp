@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace aneurysm::checks
@@ -238,8 +237,7 @@ void by_solve(Probe& probe)
         after.velocity[i] = cloud.free[i] ? to_eigen(flow->state().particles.velocity[i]) : cloud.velocity[i];
     }
     const Shifts shifts = shifts_of(s, cloud, p.kind);
-    auto way = ways_of(after, dt);
-    std::ranges::transform(way, shifts.way, way.begin(), std::plus<>());
+    const auto way = shifts.and_ways(ways_of(after, dt));
     const auto lowest = [&](std::size_t i) {
         const double y = p.position[i].y;
         const bool is_far =

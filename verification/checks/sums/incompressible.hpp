@@ -6,7 +6,10 @@
 #include "verification/checks/box.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace aneurysm::checks
@@ -53,6 +56,13 @@ inline double lowest_kappa(double density, double rho_0)
 struct Shifts {
     std::vector<Eigen::Vector3d> way;
     double error = 0;
+
+    /// These and other ways together.
+    std::vector<Eigen::Vector3d> and_ways(std::vector<Eigen::Vector3d> other) const
+    {
+        std::ranges::transform(other, way, other.begin(), std::plus<>());
+        return other;
+    }
 };
 /// Of those that flow freely and have no void beside them.
 inline Shifts shifts_of(const Scenario& s, const analytic::Cloud& cloud, const std::vector<Kind>& kind)
@@ -67,6 +77,22 @@ inline Shifts shifts_of(const Scenario& s, const analytic::Cloud& cloud, const s
         }
     }
     return shifts;
+}
+
+inline constexpr const char* of_drift =
+    "the bounds of both sums (5) and dt times that of (2), for oracle and subject, + gamma_4 of all three";
+
+/// What the ways have added to the density of i beyond dt Drho/Dt against what `found` says [kg/m^3].
+inline void compare_drift(const Probe& probe, Quantity& quantity, double found, const analytic::Cloud& cloud,
+                          const std::vector<Eigen::Vector3d>& way, double dt, std::size_t i)
+{
+    const auto rho = analytic::pair_density(cloud, i);
+    const auto ahead = analytic::pair_density_ahead(cloud, way, i);
+    const auto rate = analytic::pair_density_rate(cloud, i);
+    quantity.within(found, ahead.value - rho.value - dt * rate.value,
+                    both(ahead.error + rho.error + dt * rate.error, probe.roundoff()) +
+                        probe.gamma(4) * (ahead.value + rho.value + dt * std::abs(rate.value)),
+                    "particle " + std::to_string(i));
 }
 
 /// Each velocity times dt [m].

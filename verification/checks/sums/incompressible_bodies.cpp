@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace aneurysm::checks
 {
@@ -157,9 +156,8 @@ void corrects_a_cloud(Probe& probe)
         "position after the correction [m]", Source::rounding,
         "dt^2 times the bound of the sum of kappa's acceleration over all pairs and that of the "
         "shifts, for oracle and subject, and gamma_5 L for a place in the box");
-    Quantity& drift = probe.quantity("drift, without what the shifts add [kg/m^3]", Source::rounding,
-                                     "the bounds of both sums (5) and dt times that of (2), for oracle and "
-                                     "subject, + gamma_4 of all three");
+    Quantity& drift =
+        probe.quantity("drift, without what the shifts add [kg/m^3]", Source::rounding, of_drift);
     Quantity& shifted =
         probe.quantity("particles that are shifted", Source::exact,
                        "a claim: some are, and those beside voids aren't, else neither is seen");
@@ -202,13 +200,7 @@ void corrects_a_cloud(Probe& probe)
         const Vec3 way = flow->state().particles.position[i] - p.position[i];
         position.within(way, dt * p.velocity[i] + to_vec3(shifts.way[i]) + dt * dt * to_vec3(a.value),
                         both(shifts.error + dt * dt * a.error, u) + probe.gamma(5) * box.edge(), where);
-        const auto rho = analytic::pair_density(cloud, i);
-        const auto ahead = analytic::pair_density_ahead(cloud, straight, i);
-        const auto rate = analytic::pair_density_rate(cloud, i);
-        drift.within(flow->state().particles.drift[i], ahead.value - rho.value - dt * rate.value,
-                     both(ahead.error + rho.error + dt * rate.error, u) +
-                         probe.gamma(4) * (ahead.value + rho.value + dt * std::abs(rate.value)),
-                     where);
+        compare_drift(probe, drift, flow->state().particles.drift[i], cloud, straight, dt, i);
         const bool may_pull = lowest(cloud, i) < 0;
         sign.holds(may_pull || corrected.pressure[i] >= 0, where);
         any = any || (may_pull && corrected.pressure[i] < 0);
@@ -217,8 +209,7 @@ void corrects_a_cloud(Probe& probe)
     const auto is_shifted = [](const Eigen::Vector3d& way) { return way.norm() > 0; };
     const auto n_shifted = std::ranges::count_if(shifts.way, is_shifted);
     shifted.holds(n_shifted > 0 && n_shifted < std::ranges::count(p.kind, Kind::fluid));
-    std::vector<Eigen::Vector3d> way = straight;
-    std::ranges::transform(straight, shifts.way, way.begin(), std::plus<>());
+    const std::vector<Eigen::Vector3d> way = shifts.and_ways(straight);
     const auto n =
         static_cast<double>(box.size()) - static_cast<double>(std::ranges::count(p.kind, Kind::reserve));
     double residual = 0;

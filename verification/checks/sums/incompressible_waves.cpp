@@ -4,6 +4,7 @@
 // so that its pressures and the number of its iterations are known beforehand.
 #include "analytic/incompressible.hpp"
 #include "common/error.hpp"
+#include "common/scenario/shipped.hpp"
 #include "verification/checks/checks.hpp"
 #include "verification/checks/sums/incompressible.hpp"
 
@@ -307,6 +308,35 @@ void relaxation_limit(Probe& probe)
     }
 }
 
+/// The strongest shifts that a scenario may ask for are weaker than those that would make a lattice's disorder grow.
+void shift_limit(Probe& probe)
+{
+    constexpr double strongest = 0.25; // of pressure.shifting
+    Quantity& below = probe.quantity("strongest shift below the limit of the lattice", Source::exact,
+                                     "a claim, with a hundredth to spare for the oracle's 1e-3");
+    for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
+        for (const double ratio : {0.8, 0.9, 1.0, 1.1, 1.2, 1.3, 1.5, 2.0}) {
+            const double limit = analytic::shift_limit({kernel, ratio, 1});
+            const std::string where =
+                std::string(kernel == KernelName::cubic_spline ? "cubic spline" : "Wendland C2") + ", h/dx " +
+                std::to_string(ratio);
+            probe.note("strength of a shift from which on disorder grows, " + where, limit);
+            below.holds(1.01 * strongest < limit, where);
+        }
+    }
+    const auto refused = [](double strength) {
+        Scenario s = shipped_scenario("paper_tc1");
+        s.pressure.shifting = strength;
+        try {
+            static_cast<void>(parse_scenario(to_json(s), "a scenario"));
+        } catch (const InputError&) {
+            return true;
+        }
+        return false;
+    };
+    below.holds(!refused(strongest) && refused(1.001 * strongest), "as scenarios may have it");
+}
+
 } // namespace
 
 std::vector<Check> incompressible_waves_checks()
@@ -321,6 +351,9 @@ std::vector<Check> incompressible_waves_checks()
                   {"two-term recurrence of two waves"}, two_waves),
         sum_check("eq03_iteration_count", {"3"}, "the solve stops in the iteration that was predicted",
                   {"two-term recurrence with the symbol g(k)"}, iteration_count),
+        sum_check("eq03_shift_limit", {"3"},
+                  "no scenario may ask for shifts by which the disorder of a lattice would grow",
+                  {"largest eigenvalue of the lattice's response over the Brillouin zone"}, shift_limit),
         sum_check("eq03_relaxation_limit", {"3"},
                   "a relaxation beyond the stability limit is refused, one below is not",
                   {"largest eigenvalue by search over the Brillouin zone (gsl_multimin)"}, relaxation_limit),
