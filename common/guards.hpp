@@ -24,6 +24,12 @@ constexpr Real outside = sizeof(Real) == sizeof(float) ? Real(1e-4) : Real(1e-9)
 /// The density of a body in a full neighborhood stays above 0.95.
 constexpr double void_density = 0.87;
 
+/// Thickness of the slices in which the pressure's solve starts, in supports: so that a body sees two slices at most.
+constexpr int slice_supports = 2;
+
+/// Part of its diagonal below which a pivot of the slices' equations is nothing but rounding.
+constexpr double smallest_pivot = 1e-6;
+
 /// Layers at the far end of a buffer whose neighborhoods are not full, as wide as the support.
 constexpr int open_layers = 2;
 

@@ -253,6 +253,11 @@ private:
         memory_.make(f.rate, n_);
         memory_.make(f.mirrors, n_);
         memory_.make(f.is_given, n_);
+        memory_.make(f.slice, n_ + 1);
+        memory_.make(f.member, n_ + 1);
+        memory_.make(f.slice_sums, f.c.slices.count);
+        memory_.make(f.slice_row, f.c.slices.count);
+        f.slice_response = f.correction; // which is needed later
     }
     void make_cells(const Setup& setup)
     {
@@ -297,6 +302,7 @@ private:
         const Row<Real> zeros{0, 0, 0, 0};
         const Real zero = 0;
         const Index no = 0;
+        const Index in_no_slice = -1;
         executor_->upload(f.body_position + at, &place, 1);
         executor_->upload(f.body_velocity + at, &values, 1);
         executor_->upload(f.is_driven + at, &no, 1);
@@ -305,6 +311,8 @@ private:
         executor_->upload(f.correction + at, &zeros, 1);
         executor_->upload(f.shift + at, &zeros, 1);
         executor_->upload(f.p + at, &zero, 1);
+        executor_->upload(f.slice + at, &in_no_slice, 1);
+        executor_->upload(f.member + at, &zero, 1);
     }
 
     Executor* executor_;

@@ -103,6 +103,10 @@ Constants<Real> make_constants(const Scenario& s, const Setup& setup)
     c.rebounds = s.collision.rebound == Rebound::elastic;
     c.corrects_density = c.model == PressureModel::dfsph && s.pressure.density_correction > 0;
     c.balances_gravity = setup.vessel.is_open(1);
+    if (s.pressure.start == PressureStart::slices && setup.vessel.is_open(1)) {
+        const Slices slices = make_slices(setup.vessel, 2 * setup.h);
+        c.slices = {real(slices.low), real(slices.thickness), slices.count};
+    }
     return c;
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/frame.hpp"
-#include "common/vessel/geometry.hpp"
+#include "common/vessel/slices.hpp"
 #include "cuda/executor/lanes.hpp"
 #include "cuda/kernel_function.hpp"
 
@@ -48,7 +48,8 @@ struct Constants {
     Grid<Real> grid;
     PressureModel model;
     Index particles = 0;
-    Index walls = 0; ///< ghosts of the wall, as many as it ever has
+    Index walls = 0;      ///< ghosts of the wall, as many as it ever has
+    SlicesT<Real> slices{}; ///< in which the pressure's solve starts; without any it doesn't
     bool is_periodic = false;
     bool slips = false; ///< the wall exerts no viscous force
     Real dx = 0;
@@ -103,11 +104,30 @@ struct Scene {
     double solve_theta;      ///< its factor
     Index solving;           ///< 1: (3) is not met yet
     Index solve_iterations;
+    Index slicing; ///< 1: the solve is to start in slices
     Fault fault;
     Index fault_particle;
     double fault_value;
     Index blood_blocks; ///< that the lists of this frame wanted, at most in one step
     Index wall_blocks;
+};
+
+/// What the particles of a slice of the vessel add to its equation and to those of the slices below and above, see
+/// slices.hpp; b: their acceleration by a potential of 1 in a slice [kg/(m^3 s Pa)].
+struct SliceSums {
+    double own = 0;   ///< of dt rho_0^2 |b_own|^2
+    double below = 0; ///< of dt rho_0^2 |b_below|^2
+    double above = 0;
+    double with_below = 0; ///< of dt rho_0^2 b_own . b_below
+    double with_above = 0;
+    double residual = 0; ///< [kg/(m^3 s)]
+};
+/// The equation of a slice.
+struct SliceRow {
+    double diagonal = 0;
+    double beside = 0;  ///< of this and the next slice
+    double right = 0;   ///< or, in the end, the slice's constant [Pa]
+    double inverse = 0; ///< of the pivot
 };
 
 /// What the host hands over for each flow step: what needs a sine.
@@ -183,7 +203,14 @@ struct Fields {
     Row<Real>* mirrors = nullptr; ///< what given bodies add to the gradient at i, beyond their place in the
                                   ///< lists; w: sum of the same times v_j
     Index* is_given = nullptr;    ///< 1: no unknown of this solve
-    Real* impact = nullptr;       ///< [N]; -1: doesn't touch the sac
+    Index* slice = nullptr;       ///< that holds the particle
+    Real* member = nullptr;       ///< 1: its potential takes part in the start in slices; 0
+    Row<Real>* slice_response =
+        nullptr; ///< dt rho_0^2 times |b_own|^2, b_own . b_other, |b_other|^2; residual of a
+                 ///< member; shares its memory with correction
+    SliceSums* slice_sums = nullptr; ///< [slices]
+    SliceRow* slice_row = nullptr;   ///< [slices]
+    Real* impact = nullptr;          ///< [N]; -1: doesn't touch the sac
     Real* impact_eos = nullptr;
 
     // the controller's

@@ -331,6 +331,7 @@ struct BeginSolve {
     ANEURYSM_HD void operator()() const
     {
         scene->solving = 1;
+        scene->slicing = 0;
         scene->solve_iterations = 0;
         scene->solve_t = 1;
     }

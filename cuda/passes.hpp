@@ -7,6 +7,7 @@
 #include "cuda/flow.hpp"
 #include "cuda/impact.hpp"
 #include "cuda/shifting.hpp"
+#include "cuda/slices.hpp"
 
 namespace aneurysm::device
 {
@@ -187,10 +188,30 @@ private:
         executor_->for_each_group(blood_of(f), StartSolve<Real>{f, sums_.largest_inverse.get()});
         executor_->for_each(blood_of(f), TakeStart<Real>{f});
         evaluate<unknown>(f, limits);
+        if (unknown == Unknown::pressure && f.c.slices.count > 0) {
+            executor_->once(StartInSlices{f.scene});
+            executor_->repeat_while(&f.scene->slicing, [&] {
+                add_slices(f);
+                executor_->once(BeginSolve{f.scene});
+                evaluate<unknown>(f, limits);
+            });
+        }
         executor_->repeat_while(&f.scene->solving, [&] {
             executor_->for_each(blood_of(f), IteratePressure<Real>{f});
             evaluate<unknown>(f, limits);
         });
+    }
+    void add_slices(const F& f)
+    {
+        executor_->for_each(blood_of(f), FindMembers<Real>{f});
+        if (f.gradient != nullptr) {
+            executor_->for_each_group(blood_of(f), RespondToSlices<true, Real>{f});
+        } else {
+            executor_->for_each_group(blood_of(f), RespondToSlices<false, Real>{f});
+        }
+        executor_->for_each_group(f.c.slices.count, SumUpSlices<Real>{f});
+        executor_->once(SolveSlices<Real>{f});
+        executor_->for_each(blood_of(f), AddSlices<Real>{f});
     }
     template <Unknown unknown>
     void evaluate(const F& f, const SolveLimits& limits)

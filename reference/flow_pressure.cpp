@@ -78,8 +78,10 @@ IncompressibleReport Flow::solve_dfsph(const FlowStep& step, const Particles& p,
     const std::vector<double> source = pressure_source(step, p);
     const std::vector<double> lowest(b.size(),
                                      p_level - scenario_->outlet.pressure_pa); // no absolute pressure below 0
+    const bool in_slices = scenario_->pressure.start == PressureStart::slices && vessel_->is_open(1);
+    const Slices slices = in_slices ? make_slices(*vessel_, kernel_.support()) : Slices{};
     const IncompressibleProblem problem{&b,  &step.neighbors, Given::mirrors, scenario_->fluid.density_kg_m3,
-                                        dt_, source,          lowest};
+                                        dt_, source,          lowest,         slices};
     IncompressibleSettings settings = solver_;
     settings.max_iterations = solved.empty() ? settings.max_iterations : 0;
     return solve_incompressibility(problem, settings, pressure, a);
@@ -137,7 +139,7 @@ IncompressibleReport Flow::solve_eos(const FlowStep& step, std::vector<double>& 
             v[i] += dt_ * a[i];
         }
     }
-    return divergence_report({&b, &step.neighbors, Given::mirrors, rho_0, dt_, {}, {}}, v);
+    return divergence_report({&b, &step.neighbors, Given::mirrors, rho_0, dt_, {}, {}, {}}, v);
 }
 
 /// Density (5) after all have gone their ways, over the neighbors that they had before:
@@ -189,7 +191,7 @@ void Flow::correct_density(FlowStep& step, Particles& p, FrameRecord& record, st
     std::ranges::transform(velocity, way.begin(), [this](const Vec3& v) { return dt_ * v; });
     const std::vector<double> straight = predicted_density(step, way);
     const IncompressibleProblem given{
-        &b, &step.neighbors, Given::mirrors, scenario_->fluid.density_kg_m3, dt_, {}, {}};
+        &b, &step.neighbors, Given::mirrors, scenario_->fluid.density_kg_m3, dt_, {}, {}, {}};
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.drift[i] = b.free(i) ? straight[i] - step.rho[i] - dt_ * density_rate(given, velocity, i) : 0;
     }
@@ -232,7 +234,7 @@ IncompressibleReport Flow::solve_correction(const FlowStep& step, const Particle
     const Given given = how.pulls ? Given::at_rest : Given::mirrors;
     std::vector<Vec3> a(b.size());
     const IncompressibleReport report = solve_incompressibility(
-        {&b, &step.neighbors, given, rho_0, dt_, source, lowest}, how.settings, kappa, a);
+        {&b, &step.neighbors, given, rho_0, dt_, source, lowest, {}}, how.settings, kappa, a);
     std::transform(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(p.size()), way.begin(),
                    [this](const Vec3& a_i) { return dt_ * dt_ * a_i; });
     return report;

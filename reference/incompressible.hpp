@@ -3,6 +3,7 @@
 // divergence, and the correction of the density, which moves particles and leaves their velocity alone.
 #pragma once
 
+#include "common/vessel/slices.hpp"
 #include "reference/blood_flow.hpp"
 
 #include <cstdint>
@@ -34,6 +35,8 @@ struct IncompressibleProblem {
     double dt = 0;                  ///< [s]
     std::span<const double> source; ///< by body [kg/(m^3 s)]
     std::span<const double> lowest; ///< by body [Pa]
+    /// In which the solve starts, see slices.hpp; without any it starts from p alone.
+    Slices slices;
 };
 
 /// When the solve of (3) stops, and how large its steps are.
@@ -87,6 +90,8 @@ double dfsph_factor(const IncompressibleProblem& problem, std::size_t i);
 ///     t     <- 1  if  sum_i (y_i - p_i) (p_i - p_old_i) / alpha_i > 0       (the momentum leads astray)
 ///     t'     = (1 + sqrt(1 + 4 t^2)) / 2,   theta = (t - 1) / t'
 ///     y_i    = max(lowest_i, p_i + theta (p_i - p_old_i));   p_old <- p,   t <- t'
+///
+/// Where the problem has slices and p is no solution, it starts from p and a constant in each slice.
 ///
 /// with the residual of y; the y whose residual is within the tolerances is the solution. Spray, whose
 /// alpha_i is out of all proportion, has no pressure and doesn't count.

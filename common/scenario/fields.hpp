@@ -99,6 +99,8 @@ template <>
 inline constexpr std::array names<InletProfile>{"plug"sv, "parabolic"sv};
 template <>
 inline constexpr std::array names<Rebound>{"elastic"sv, "none"sv};
+template <>
+inline constexpr std::array names<PressureStart>{"last"sv, "slices"sv};
 template <class Enum>
 std::string_view name_of(Enum value)
 {
@@ -162,6 +164,9 @@ void visit_flow(S& s, const Row& v)
       "stiffness kappa of the equation of state [m^2/s^2]; drives the flow only in model eos");
     v(p.relaxation, "pressure.relaxation", above(0).below(1), assumed(),
       "relaxation omega, the step of the pressure iteration, model dfsph");
+    v(p.start, "pressure.start", {}, assumed(),
+      "what the pressure's solve starts from: last: the last step's pressure; slices: and a constant in each slice across "
+      "the parent artery, where there are open ends; model dfsph");
     v(p.density_correction, "pressure.density_correction", from(0).to(1), assumed(),
       "part of the density error that one step removes, 0: density isn't corrected; model dfsph");
     v(p.shifting, "pressure.shifting", from(0).to(0.25), assumed(),

@@ -19,6 +19,8 @@ enum class Waveform { sine, rectified_sine, raised_sine, constant, table };
 enum class InletProfile { plug, parabolic };
 /// What a collision with the wall does to the velocity.
 enum class Rebound { elastic, none };
+/// What the pressure's solve starts from: the last step's pressure, or that and a constant in each slice of the vessel.
+enum class PressureStart { last, slices };
 /// What the blood flows in. All but the artery are for verification: lattices of `cells` on straight axes.
 enum class DomainForm {
     artery,  ///< the paper's branching artery
@@ -77,6 +79,7 @@ struct Scenario {
         PressureModel model = PressureModel::dfsph;
         double stiffness_m2_s2 = 0; ///< kappa of the equation of state; drives the flow only in model `eos`
         double relaxation = 0;      ///< omega, the step of the pressure iteration, model `dfsph`
+        PressureStart start = PressureStart::last;
         double density_correction = 0; ///< beta: part of the density error that one step removes, 0 to 1
         double shifting = 0; ///< beta of the particles' shifts, beside the correction of the density
         double correction_tolerance_per_s = 0;     ///< as the next two, for the correction of the density

@@ -53,6 +53,7 @@ ANEURYSM_OPERATOR(&, T, a[l] & b[l])
 ANEURYSM_OPERATOR(|, T, a[l] | b[l])
 ANEURYSM_OPERATOR(<, Index, a[l] < b[l] ? -1 : 0)
 ANEURYSM_OPERATOR(>=, Index, a[l] >= b[l] ? -1 : 0)
+ANEURYSM_OPERATOR(==, Index, a[l] == b[l] ? -1 : 0)
 ANEURYSM_OPERATOR(!=, Index, a[l] != b[l] ? -1 : 0)
 #undef ANEURYSM_OPERATOR
 
@@ -114,6 +115,11 @@ template <class T>
 ANEURYSM_INLINE Mask operator>=(const Lanes<T>& a, const Lanes<T>& b)
 {
     return narrow(a.v >= b.v);
+}
+template <class T>
+ANEURYSM_INLINE Mask operator==(const Lanes<T>& a, const Lanes<T>& b)
+{
+    return narrow(a.v == b.v);
 }
 template <class T>
 ANEURYSM_INLINE Mask operator!=(const Lanes<T>& a, const Lanes<T>& b)

@@ -34,6 +34,7 @@ ANEURYSM_OPERATOR(*, Lanes<T>)
 ANEURYSM_OPERATOR(/, Lanes<T>)
 ANEURYSM_OPERATOR(<, Mask)
 ANEURYSM_OPERATOR(>=, Mask)
+ANEURYSM_OPERATOR(==, Mask)
 ANEURYSM_OPERATOR(!=, Mask)
 #undef ANEURYSM_OPERATOR
 
@@ -49,6 +50,12 @@ template <class T>
 ANEURYSM_HD Lanes<T> select(const Mask& m, const Lanes<T>& a, const Lanes<T>& b)
 {
     return m.v ? a : b;
+}
+/// The same numbers in double.
+template <class T>
+ANEURYSM_HD Lanes<double> widen(const Lanes<T>& a)
+{
+    return static_cast<double>(a.v);
 }
 template <class T>
 ANEURYSM_HD Lanes<T> sqrt(const Lanes<T>& a)

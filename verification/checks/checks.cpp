@@ -92,6 +92,7 @@ const std::vector<Check>& all_checks()
                  executors_checks,
                  neighbors_checks,
                  boundary_buffers_checks,
+                 slices_checks,
                  boundary_ghosts_checks,
                  same_run_checks,
                  bifurcation_shape_checks,

@@ -65,6 +65,7 @@ std::vector<Check> incompressible_bodies_checks(); // (3)
 std::vector<Check> incompressible_rows_checks();   // (3)
 std::vector<Check> neighbors_checks();             // (5), (7)
 std::vector<Check> boundary_buffers_checks();      // (25), (26)
+std::vector<Check> slices_checks();                // (3)
 std::vector<Check> boundary_ghosts_checks();       // (27)
 
 // flows, L2

@@ -30,6 +30,21 @@ struct Delivery {
     double error() const { return std::abs(found / prescribed - 1); }
 };
 
+/// Blood in the core of the parent artery, between its quarters and within half of its radius, over rho_0 times the volume.
+double core_density(const Scenario& s, const Particles& p)
+{
+    const double r_0 = s.vessel.radius_m;
+    const double length = s.vessel.parent_length_radii * r_0;
+    const auto in_core = [&](const Vec3& x) {
+        return x.y > -3 * length / 4 && x.y < -length / 4 && x.x * x.x + x.z * x.z < r_0 * r_0 / 4;
+    };
+    double mass = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        mass += p.kind[i] == Kind::fluid && in_core(p.position[i]) ? p.mass : 0;
+    }
+    return mass / (s.fluid.density_kg_m3 * std::numbers::pi * r_0 * r_0 / 4 * length / 2);
+}
+
 /// The second cycle: in the first the particles find their places.
 void deliver(Probe& probe, const std::string& name, const Scenario& s, std::optional<KnownLimit> known = {})
 {
@@ -39,6 +54,7 @@ void deliver(Probe& probe, const std::string& name, const Scenario& s, std::opti
     const double per_way = s.fluid.density_kg_m3 * area / m; // particles in a meter
     Delivery in;
     Delivery back;
+    double core = 0;
     std::int64_t last = 0;
     const auto cycle = std::llround(s.inlet.cycle_s / s.time.frame_s);
     for (std::int64_t n = 0; n < 2 * cycle; ++n) {
@@ -52,7 +68,9 @@ void deliver(Probe& probe, const std::string& name, const Scenario& s, std::opti
         d.found += static_cast<double>(net - last);
         d.prescribed += per_way * r.inlet_velocity * s.time.frame_s;
         last = net;
+        core += core_density(s, flow->state().particles) / static_cast<double>(cycle);
     }
+    probe.note("mass in the core of the parent over rho_0 and its volume, mean of the cycle, " + name, core);
     const std::string what = "flux delivered in a cycle, " + name;
     probe.accuracy({what + ": relative error", in.error(), 0.01, std::move(known)});
     if (s.inlet.waveform == Waveform::sine) {

@@ -6,6 +6,7 @@
 #include "verification/checks/arguments.hpp"
 #include "verification/checks/checks.hpp"
 #include "verification/checks/pressure_level.hpp"
+#include "verification/checks/sums/duct.hpp"
 #include "verification/checks/sums/incompressible.hpp"
 #include "verification/checks/sums/one_iteration.hpp"
 
@@ -17,115 +18,6 @@ namespace aneurysm::checks
 {
 namespace
 {
-
-constexpr int cells = 12; ///< of the duct along x and z
-constexpr int rows = 3;   ///< between its ends; with the buffers' rows fewer than `cells`, less the support
-
-/// data/scenarios/verify_duct.json, short and wide, so that the cloud's cube holds it.
-Scenario short_duct()
-{
-    Scenario s = shipped_scenario("verify_duct");
-    s.domain.cells_x = s.domain.cells_z = cells;
-    s.domain.cells_y = rows;
-    s.particles.count = cells * cells * (rows + 2 * opening_layers + 1);
-    s.kernel.smoothing_length_spacings = 1;
-    s.time.frame_s = 0x1p-12;
-    s.fluid.gravity_m_s2 = {250, -430, 610}; // balanced by the pressure of blood at rest
-    s.pressure.relaxation = 0.2;
-    s.inlet.waveform = Waveform::constant;
-    s.inlet.profile = InletProfile::parabolic;
-    s.inlet.ramp_s = 0;
-    s.outlet.pressure_pa = 4000;
-    s.outlet.level_margin = 2;
-    return s;
-}
-
-bool is_blood(Kind kind)
-{
-    return kind != Kind::reserve;
-}
-
-/// Blood up to a quarter of a spacing from its place, with velocities up to 0.5 m/s, and `along` more in the outlet's
-/// buffer; the inlet's buffer has its own.
-SimulationState disturbed_duct(const Probe& probe, Scenario s, double along)
-{
-    s.pressure.density_correction = 0; // else a fresh start settles
-    SimulationState state = probe.simulate(s)->state();
-    Particles& p = state.particles;
-    disturb(p, {Kind::fluid, Kind::outlet_1}, s.domain.spacing_m / 4, 0.5, 2451);
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        p.velocity[i].y += p.kind[i] == Kind::outlet_1 ? along : 0;
-    }
-    return state;
-}
-
-/// Poiseuille's parabola of the mean v_0 along the duct, at a place of the inlet's buffer.
-Vec3 inlet_velocity_at(const Scenario& s, const Vec3& x)
-{
-    const double R = cells * s.domain.spacing_m / 2;
-    const double r2 = std::pow(x.x - R, 2) + std::pow(x.z - R, 2);
-    return {0, s.inlet.peak_velocity_m_s * std::max(0.0, 2 * (1 - r2 / (R * R))), 0};
-}
-
-/// The oracle's view: forces move all but the inlet's buffer.
-analytic::Cloud cloud_of(const Scenario& s, const SimulationState& state, const std::vector<double>& density)
-{
-    analytic::Cloud c;
-    c.kernel = s.kernel.function;
-    c.h = s.domain.spacing_m;
-    c.period = cells * s.domain.spacing_m;
-    const Particles& p = state.particles;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        const bool driven = p.kind[i] == Kind::inlet;
-        c.position.push_back(to_eigen(p.position[i]));
-        c.velocity.push_back(to_eigen(driven ? inlet_velocity_at(s, p.position[i]) : p.velocity[i]));
-        c.mass.push_back(is_blood(p.kind[i]) ? p.mass : 0);
-        c.free.push_back(!driven);
-    }
-    c.density = density;
-    c.pressure.assign(p.size(), 0);
-    return c;
-}
-
-/// The outlet's buffer.
-struct Buffer {
-    double count = 0;   ///< of its particles
-    double mean = 0;    ///< of their velocities, outwards [m/s]
-    double fastest = 0; ///< the largest magnitude of these [m/s]
-};
-
-Buffer outlet_buffer(const Particles& p)
-{
-    Buffer buffer;
-    double sum = 0;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.kind[i] == Kind::outlet_1) {
-            ++buffer.count;
-            sum += p.velocity[i].y;
-            buffer.fastest = std::max(buffer.fastest, std::abs(p.velocity[i].y));
-        }
-    }
-    buffer.mean = sum / buffer.count;
-    return buffer;
-}
-
-/// What acts at the outlet on blood i [N/m^3].
-analytic::VectorEstimate force_at_outlet(const Scenario& s, const SimulationState& before,
-                                         const analytic::Cloud& cloud, double p, std::size_t i)
-{
-    if (before.particles.kind[i] != Kind::outlet_1) {
-        return {};
-    }
-    auto force = analytic::pair_outlet_force(cloud, s.fluid.density_kg_m3, p, i);
-    const Buffer buffer = outlet_buffer(before.particles);
-    const double depth = opening_layers * s.domain.spacing_m;
-    const auto pressure = [&](double v) { return s.fluid.density_kg_m3 * v * v / 2; };
-    force.value.y() += buffer.mean < 0 ? pressure(buffer.mean) / depth : 0;
-    // The mean is off by gamma_(n+1) of the fastest, its square by twice that; six roundings more cover the factors.
-    force.error += rounding(2 * buffer.count + 8) * pressure(buffer.fastest) / depth +
-                   rounding(1) * std::abs(force.value.y());
-    return force;
-}
 
 /// (5), (6) with the equation of state, (7) and (26), then (2) of the new velocity.
 void by_state(Probe& probe)
@@ -148,23 +40,23 @@ void by_state(Probe& probe)
         probe.quantity("recorded outward velocity of the outlets' buffers [m/s]", Source::rounding,
                        "gamma_2N of the largest velocity; one of the two outlets isn't there");
     for (const double along : {0.25, -0.25}) {
-        Scenario s = short_duct();
+        Scenario s = duct::scenario();
         s.pressure.model = PressureModel::eos;
         s.pressure.stiffness_m2_s2 = 256;
         s.fluid.viscosity_pa_s = 64;
         const double dt = s.time.frame_s;
         const double rho_0 = s.fluid.density_kg_m3;
-        const SimulationState before = disturbed_duct(probe, s, along);
+        const SimulationState before = duct::disturbed(probe, s, along);
         const Particles& p = before.particles;
         const auto flow = probe.simulate(s, before);
         const FrameRecord record = flow->advance();
-        auto cloud = cloud_of(s, before, flow->density());
+        auto cloud = duct::cloud_of(s, before, flow->density());
         for (std::size_t i = 0; i < p.size(); ++i) {
             cloud.pressure[i] = s.pressure.stiffness_m2_s2 * (cloud.density[i] - rho_0);
         }
         auto after = cloud;
         for (std::size_t i = 0; i < p.size(); ++i) {
-            if (!is_blood(p.kind[i])) {
+            if (!duct::is_blood(p.kind[i])) {
                 continue;
             }
             const std::string where = "particle " + std::to_string(i);
@@ -172,13 +64,13 @@ void by_state(Probe& probe)
             rho.within(cloud.density[i], density.value, both(density.error, u), where);
             const Vec3& v = flow->state().particles.velocity[i];
             if (p.kind[i] == Kind::inlet) {
-                driven.within(v, inlet_velocity_at(s, p.position[i]),
+                driven.within(v, duct::inlet_velocity_at(s, p.position[i]),
                               probe.gamma(16) * 2 * s.inlet.peak_velocity_m_s, where);
                 continue;
             }
             const auto pressing = analytic::pair_pressure_force(cloud, i);
             const auto viscous = analytic::pair_viscosity_force(cloud, s.fluid.viscosity_pa_s, i);
-            const auto outlet = force_at_outlet(s, before, cloud, s.outlet.pressure_pa, i);
+            const auto outlet = duct::force_at_outlet(s, before, cloud, s.outlet.pressure_pa, i);
             const Vec3 a = to_vec3(pressing.value + viscous.value + outlet.value) / cloud.density[i];
             const Vec3& v_0 = p.velocity[i];
             velocity.within(v, v_0 + dt * a,
@@ -188,7 +80,7 @@ void by_state(Probe& probe)
             after.velocity[i] = to_eigen(v_0 + dt * a);
         }
         recorded_rates(after, rho_0, u).compare(divergence, record);
-        mean.within(record.outlet_velocity, outlet_buffer(p).mean / 2,
+        mean.within(record.outlet_velocity, duct::outlet_buffer(p).mean / 2,
                     probe.gamma(2 * static_cast<double>(p.size())), at({{"along", along}}));
     }
 }
@@ -196,13 +88,13 @@ void by_state(Probe& probe)
 /// One iteration of the pressure, then one of the correction, from known potentials and drifts.
 void by_solve(Probe& probe)
 {
-    const double u = probe.roundoff();
     Quantity& pressure =
         probe.quantity("pressure after one iteration [Pa]", Source::rounding, of_one_iteration);
     Quantity& kappa = probe.quantity("kappa after one iteration [Pa]", Source::rounding, of_one_iteration);
     Quantity& far = probe.quantity("kappa that would pull in the far layers", Source::exact,
                                    "a claim: some, in both buffers, else their bound would not be seen");
-    Scenario s = without_iterations(short_duct(), 0.75);
+    Scenario s = without_iterations(duct::scenario(), 0.75);
+    s.pressure.start = PressureStart::last;
     s.pressure.shifting = 0.125;
     s.fluid.viscosity_pa_s = 0;
     s.pressure.tolerance_per_s = s.pressure.correction_tolerance_per_s = 1e-300;
@@ -211,24 +103,18 @@ void by_solve(Probe& probe)
     const double rho_0 = s.fluid.density_kg_m3;
     const double dx = s.domain.spacing_m;
     const double level = s.outlet.level_margin * rho_0 * std::pow(s.inlet.peak_velocity_m_s, 2);
-    SimulationState before = disturbed_duct(probe, s, -0.25);
+    SimulationState before = duct::disturbed(probe, s, -0.25);
     Particles& p = before.particles;
     for (std::size_t i = 0; i < p.size(); ++i) {
         p.pressure[i] = static_cast<double>(i * i % 1021) - 510;
         p.kappa[i] = static_cast<double>(i * i % 1019) - 510;
-        p.drift[i] = is_blood(p.kind[i]) ? (static_cast<double>(i * i % 1013) - 510) / 64 : 0;
+        p.drift[i] = duct::is_blood(p.kind[i]) ? (static_cast<double>(i * i % 1013) - 510) / 64 : 0;
     }
     const auto flow = probe.simulate(s, before);
     flow->advance();
-    auto cloud = cloud_of(s, before, flow->density());
-    double of_start = 0;
+    auto cloud = duct::cloud_of(s, before, flow->density());
+    const double of_start = duct::push_at_outlet(probe, s, before, level, cloud);
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (p.kind[i] == Kind::outlet_1) {
-            const auto force = force_at_outlet(s, before, cloud, level, i);
-            cloud.velocity[i] += dt / cloud.density[i] * force.value;
-            of_start = std::max(of_start, dt / cloud.density[i] * both(force.error, u) +
-                                              probe.gamma(8) * cloud.velocity[i].norm());
-        }
         cloud.pressure[i] = cloud.free[i] ? p.pressure[i] : 0;
     }
     const OneIteration of_pressure(probe, s, cloud, of_start);
@@ -241,7 +127,8 @@ void by_solve(Probe& probe)
     const auto lowest = [&](std::size_t i) {
         const double y = p.position[i].y;
         const bool is_far =
-            (p.kind[i] == Kind::inlet && y < -dx) || (p.kind[i] == Kind::outlet_1 && y > (rows + 1) * dx);
+            (p.kind[i] == Kind::inlet && y < -dx) ||
+            (p.kind[i] == Kind::outlet_1 && y > static_cast<double>(s.domain.cells_y + 1) * dx);
         return is_far ? 0 : lowest_kappa(cloud.density[i], rho_0);
     };
     auto at_rest = after;
@@ -254,16 +141,15 @@ void by_solve(Probe& probe)
     const OneIteration of_kappa(probe, s, at_rest);
     std::array<int, 2> held{};
     for (std::size_t i = 0; i < p.size(); ++i) {
-        if (!is_blood(p.kind[i])) {
+        if (!duct::is_blood(p.kind[i])) {
             continue;
         }
         const std::string where = "particle " + std::to_string(i);
         if (cloud.free[i]) {
             const auto drift = analytic::pair_mean(cloud, p.drift, i);
-            const bool is_void = p.kind[i] == Kind::fluid && cloud.density[i] < guards::void_density * rho_0;
-            const double missing = is_void ? analytic::pair_density(cloud, i).value - rho_0 : 0;
-            const analytic::Estimate source{(drift.value + missing) / dt,
-                                            (drift.error + (is_void ? rounding(64) * rho_0 : 0)) / dt};
+            const auto missing = duct::missing_density(s, p.kind[i], cloud, i);
+            const analytic::Estimate source{(drift.value + missing.value) / dt,
+                                            (drift.error + missing.error) / dt};
             const auto expected = of_pressure.potential(i, source, level - s.outlet.pressure_pa);
             pressure.within(flow->solved_pressure()[i], expected.value, expected.error, where);
         }

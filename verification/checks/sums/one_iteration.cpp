@@ -27,22 +27,27 @@ OneIteration::OneIteration(const Probe& probe, const Scenario& s, analytic::Clou
     of_velocity_ += of_start;
 }
 
+analytic::Estimate OneIteration::residual(std::size_t i, const analytic::Estimate& source) const
+{
+    const auto rate = analytic::pair_density_rate(moved_, i);
+    // sum_j |m_j grad W_ij| over free bodies, by Cauchy and Schwarz over at most 64 neighbors; what is given adds the
+    // sum over all less that over free bodies
+    const double slopes = std::sqrt(64 / analytic::pair_dfsph_factor(moved_, i).value);
+    return {source.value + rate.value,
+            both(source.error + rate.error, probe_->roundoff()) + 4 * of_velocity_ * slopes +
+                probe_->gamma(12) * (std::abs(source.value) + std::abs(rate.value))};
+}
+
 analytic::Estimate OneIteration::potential(std::size_t i, const analytic::Estimate& source,
                                            double lowest) const
 {
-    const double u = probe_->roundoff();
-    const auto rate = analytic::pair_density_rate(moved_, i);
     const auto alpha = analytic::pair_dfsph_factor(moved_, i);
-    // sum_j |m_j grad W_ij| over free bodies, by Cauchy and Schwarz over at most 64 neighbors; what is given adds the
-    // sum over all less that over free bodies
-    const double slopes = std::sqrt(64 / alpha.value);
-    const double residual = source.value + rate.value;
-    const double error = both(source.error + rate.error, u) + 4 * of_velocity_ * slopes +
-                         probe_->gamma(12) * (std::abs(source.value) + std::abs(rate.value));
+    const auto [r, error] = residual(i, source);
     const double start = moved_.pressure[i];
-    return {std::max(lowest, start + per_residual_ * alpha.value * residual),
-            per_residual_ * (alpha.value * error + (both(alpha.error, u) + probe_->gamma(12) * alpha.value) *
-                                                       (std::abs(residual) + error)) +
+    return {std::max(lowest, start + per_residual_ * alpha.value * r),
+            per_residual_ * (alpha.value * error +
+                             (both(alpha.error, probe_->roundoff()) + probe_->gamma(12) * alpha.value) *
+                                 (std::abs(r) + error)) +
                 probe_->gamma(4) * std::abs(start)};
 }
 

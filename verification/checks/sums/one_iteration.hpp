@@ -20,8 +20,11 @@ public:
     /// \param of_start  error of these velocities [m/s]
     OneIteration(const Probe& probe, const Scenario& s, analytic::Cloud cloud, double of_start = 0);
 
-    /// The potential of body i after it, and how far the subject's may be from it [Pa].
+    /// What (3) leaves over at body i before it, and how far the subject's may be from it [kg/(m^3 s)].
     /// \param source  what the density adds to the residual; its error bounds the rounding of any text in double
+    analytic::Estimate residual(std::size_t i, const analytic::Estimate& source) const;
+
+    /// The potential of body i after it, and how far the subject's may be from it [Pa].
     analytic::Estimate potential(std::size_t i, const analytic::Estimate& source, double lowest) const;
 
 private:
