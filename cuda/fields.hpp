@@ -48,7 +48,7 @@ struct Constants {
     Grid<Real> grid;
     PressureModel model;
     Index particles = 0;
-    Index walls = 0;      ///< ghosts of the wall, as many as it ever has
+    Index walls = 0;        ///< ghosts of the wall, as many as it ever has
     SlicesT<Real> slices{}; ///< in which the pressure's solve starts; without any it doesn't
     bool is_periodic = false;
     bool slips = false; ///< the wall exerts no viscous force
