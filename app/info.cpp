@@ -2,6 +2,7 @@
 #include "app/info.hpp"
 
 #include "app/cite.hpp"
+#include "app/notes.hpp"
 #include "app/options.hpp"
 #include "common/equations.hpp"
 #include "common/scenario/limits.hpp"
@@ -150,7 +151,8 @@ std::string scenario_info(const Scenario& scenario)
     for (const auto& [path, why] : scenario.assumed) {
         text << "  " << path << ": " << why << "\n";
     }
-    return text.str();
+    const std::string note = note_before_run(scenario);
+    return text.str() + (note.empty() ? "" : "Note: " + note + "\n");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/run.hpp"
 
+#include "app/notes.hpp"
 #include "app/options.hpp"
 #include "common/error.hpp"
 #include "common/file.hpp"
@@ -184,6 +185,9 @@ int run(const CLI::App& app, RunOptions& options)
     settle_tuning(app, options.backend);
     const std::unique_ptr<Simulation> simulation =
         backends::make_simulation(options.backend, start.scenario, start.state, options.scenario);
+    if (const std::string note = note_before_run(start.scenario); !note.empty()) {
+        std::cerr << "aneurysm: note: " << note << "\n";
+    }
     bool complete = false;
     double rate = 0;
     {

@@ -49,7 +49,7 @@ if as_root apt-get update -qq; then
 else
     say "not root, or apt-get has no archive here: nothing is installed"
 fi
-needed=$(echo "$missing" | grep -v : | names)
+needed=$(echo "$missing" | sed '/^$/d; /:/d' | names)
 [ -z "$needed" ] || say "missing, and needed unless it is here by another way: $needed"
 echo "$missing" | grep : | while read -r line; do say "missing, so left out: $line"; done
 exit 0

@@ -98,6 +98,15 @@ ANEURYSM_INLINE Number bounded(const Number& p, const Number& lowest)
     return select(p < lowest, lowest, p);
 }
 
+/// Whether blood is in the far layers of a buffer, whose neighborhoods aren't full.
+template <class Real>
+ANEURYSM_HD bool is_far(const Fields<Real>& f, Index i)
+{
+    const Vec3T<Real> x = f.body_position[i].vector();
+    const Real far = static_cast<Real>(opening_layers - guards::open_layers) * f.c.dx;
+    return open_end(f.kind[f.order[i]]) >= 0 && opening(f, nearest_tube(f, x)).beyond(x) > far;
+}
+
 /// The equations of the pressure: driven blood and walls are mirror images, which count twice.
 template <class Real>
 struct PosePressure {
@@ -118,13 +127,12 @@ struct PosePressure {
     }
 
 private:
-    /// Where there is a void the density may rise to rho_0 [kg/m^3]
+    /// Where there is a void, but in a buffer's far layers, the density may rise to rho_0 [kg/m^3]
     ANEURYSM_HD Real missing(Index i) const
     {
         const Real rho = f.body_velocity[i].w;
-        const bool in_buffer = open_end(f.kind[f.order[i]]) > 0;
         const bool has_void = rho < static_cast<Real>(guards::void_density) * f.c.rho_0;
-        return !in_buffer && has_void ? rho - f.c.rho_0 : 0;
+        return has_void && !is_far(f, i) ? rho - f.c.rho_0 : 0;
     }
 };
 
@@ -151,12 +159,8 @@ private:
     /// Beside a void, outside of the wall, or in the far layers of a buffer: nothing pulls there.
     ANEURYSM_HD bool is_open(Index i) const
     {
-        const Kind kind = f.kind[f.order[i]];
-        const Vec3T<Real> x = f.body_position[i].vector();
         const Real rho = f.body_velocity[i].w;
-        const Real far = static_cast<Real>(opening_layers - guards::open_layers) * f.c.dx;
-        const bool in_buffer = open_end(kind) >= 0;
-        return kind == Kind::escaped || (in_buffer && opening(f, nearest_tube(f, x)).beyond(x) > far) ||
+        return f.kind[f.order[i]] == Kind::escaped || is_far(f, i) ||
                rho < static_cast<Real>(guards::void_density) * f.c.rho_0;
     }
 };

@@ -108,6 +108,7 @@ private:
     IncompressibleReport solve_eos(const FlowStep& step, std::vector<double>& pressure,
                                    std::vector<Vec3>& a) const;
     bool corrects_density() const;
+    bool is_far(const Particles& p, std::size_t i) const;
     std::vector<double> pressure_source(const FlowStep& step, const Particles& p) const;
     std::vector<double> predicted_density(const FlowStep& step, std::span<const Vec3> way) const;
     void shift_blood(FlowStep& step, const Particles& p) const;

@@ -92,9 +92,18 @@ bool Flow::corrects_density() const
     return scenario_->pressure.model == PressureModel::dfsph && scenario_->pressure.density_correction > 0;
 }
 
+/// Whether blood is in the far layers of a buffer, whose neighborhoods aren't full.
+bool Flow::is_far(const Particles& p, std::size_t i) const
+{
+    const bool in_buffer = p.kind[i] != Kind::fluid && p.kind[i] != Kind::escaped;
+    const Vec3& x = p.position[i];
+    return in_buffer && vessel_->openings()[vessel_->nearest_tube(x)].beyond(x) >
+                            (opening_layers - guards::open_layers) * dx_;
+}
+
 /// Drho/Dt has to make up for what straight ways add to the density, c_i of the last step: in the mean over the
 /// neighborhood, as the flow carries only what is wider than that; the rest is the correction's. Where there is a
-/// void, the density may rise to rho_0.
+/// void, but in a buffer's far layers, the density may rise to rho_0.
 ///
 ///     source_i = sum_j c_j W_ij / (dt sum_j W_ij)                                          [kg/(m^3 s)]
 std::vector<double> Flow::pressure_source(const FlowStep& step, const Particles& p) const
@@ -116,9 +125,8 @@ std::vector<double> Flow::pressure_source(const FlowStep& step, const Particles&
                 weights += n.W;
             }
         }
-        const bool buffer = p.kind[i] == Kind::outlet_1 || p.kind[i] == Kind::outlet_2;
         const double missing =
-            !buffer && step.rho[i] < guards::void_density * rho_0 ? step.rho[i] - rho_0 : 0;
+            !is_far(p, i) && step.rho[i] < guards::void_density * rho_0 ? step.rho[i] - rho_0 : 0;
         source[i] = (drift / weights + missing) / dt_;
     }
     return source;
@@ -225,11 +233,8 @@ IncompressibleReport Flow::solve_correction(const FlowStep& step, const Particle
     std::vector<double> lowest(b.size(), std::numeric_limits<double>::lowest());
     for (std::size_t i = 0; i < p.size(); ++i) {
         source[i] = how.beta * (rho[i] - rho_0) / dt_;
-        const bool in_buffer = p.kind[i] != Kind::fluid && p.kind[i] != Kind::escaped;
-        const double beyond = vessel_->openings()[vessel_->nearest_tube(p.position[i])].beyond(p.position[i]);
-        const bool far = in_buffer && beyond > (opening_layers - guards::open_layers) * dx_;
         const bool is_free = p.kind[i] == Kind::escaped || step.rho[i] < guards::void_density * rho_0;
-        lowest[i] = !how.pulls || far || is_free ? 0 : lowest[i];
+        lowest[i] = !how.pulls || is_far(p, i) || is_free ? 0 : lowest[i];
     }
     const Given given = how.pulls ? Given::at_rest : Given::mirrors;
     std::vector<Vec3> a(b.size());

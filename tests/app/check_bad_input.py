@@ -396,6 +396,17 @@ def check_manifests(directory):
         refused(directory, ["run", "--resume", "--out", run], [run / "manifest.json"])
 
 
+def check_notes(directory):
+    """What is allowed and still not meant: particles of another size than those that the values were chosen for."""
+    for name, noted in (("paper_tc1", False), ("paper_tc4", True)):
+        out, _ = program.run("info", data / f"scenarios/{name}.json")
+        expect(("Note: rupture.impact_mass_kg" in out) == noted, f"info of {name}: {out}")
+    heavy = directory / "heavy.json"
+    heavy.write_text(json.dumps(program.changed(quick, rupture={"impact_mass_kg": 100})))
+    _, err = program.run("run", heavy, *fast, "--frames", "1", "--out", directory / "out")
+    expect("note: rupture.impact_mass_kg (100 kg)" in err, f"run: {err}")
+
+
 def check_shipped_scenarios(_):
     for scenario in sorted((data / "scenarios").glob("*.json")):
         errors = [error.message for error in validator.iter_errors(program.read_json(scenario))]
@@ -405,4 +416,4 @@ def check_shipped_scenarios(_):
 
 
 program.check_all(check_shipped_scenarios, check_files, check_arguments, check_checkpoints, check_comparisons, check_suite,
-                  check_numbers, check_idle_options, check_paths, check_sizes, check_pipes, check_manifests)
+                  check_numbers, check_idle_options, check_paths, check_sizes, check_pipes, check_manifests, check_notes)

@@ -193,7 +193,10 @@ BOOST_AUTO_TEST_CASE(a_calibration_finds_the_values_that_made_its_rows)
     Scenario scenario = shipped_scenario("quick");
     scenario.name += "_as_it_is";
     const std::vector<reproduction::Member> members = reproduction::ensemble(runs, scenario, 5, 2);
-    constexpr double yield_limit = 140;
+    double yield_limit = 50; // one that the search comes to, as other frames of rupture lie between
+    while (yield_limit < 150) {
+        yield_limit *= 1.01;
+    }
     nlohmann::json paper{{"table4", nlohmann::json::array()}};
     nlohmann::json plan{{"scenario", "quick"},
                         {"first_seed", 5},

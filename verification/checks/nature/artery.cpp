@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blood in the artery of paper_tc1: at rest, under another ambient pressure, at another resolution.
+// Blood in the artery of paper_tc1: at rest, under another ambient pressure, at another resolution, as fast as may be.
+#include "common/scenario/limits.hpp"
 #include "common/scenario/shipped.hpp"
 #include "verification/checks/checks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -126,6 +128,46 @@ void impact_resolution(Probe& probe)
                     change(grown(40296, 1).growth, coarse.growth), 0.15, measured(0.258)});
 }
 
+/// Largest error of the density of any blood in one cycle, with the fastest inlet that one step a frame allows.
+double fastest_inlet_density_error(const Probe& probe, Scenario s)
+{
+    const double spacing = std::cbrt(probe.simulate(s)->state().particles.mass / s.fluid.density_kg_m3);
+    s.inlet.peak_velocity_m_s *= 0.9999 * step_limits(s, spacing).convective / s.time.frame_s;
+    const auto flow = probe.simulate(s);
+    double error = 0;
+    for (auto frames = std::llround(s.inlet.cycle_s / s.time.frame_s); frames > 0; --frames) {
+        const std::vector<Kind> kind = flow->state().particles.kind;
+        flow->advance();
+        for (std::size_t i = 0; i < kind.size(); ++i) {
+            const double relative = flow->density()[i] / s.fluid.density_kg_m3;
+            error = std::max(error, kind[i] == Kind::fluid ? std::abs(relative - 1) : 0);
+        }
+    }
+    return error;
+}
+
+/// Every inlet that a scenario may have is stable: at all angles of the paper, with all waveforms.
+void fastest_inlet(Probe& probe)
+{
+    const auto add = [&](const std::string& inlet, const Scenario& s) {
+        probe.accuracy({"density with the fastest inlet that a step allows, " + inlet + ": largest error",
+                        fastest_inlet_density_error(probe, s), 0.05});
+    };
+    for (const char* angle : {"30", "40", "60", "75"}) {
+        Scenario s = unbreakable(std::string("paper_angle_") + angle);
+        add("sine, " + std::string(angle) + " degrees", s);
+    }
+    Scenario s = unbreakable("paper_tc1");
+    s.inlet.waveform = Waveform::rectified_sine;
+    add("|sine|", s);
+    s.inlet.waveform = Waveform::constant;
+    add("constant", s);
+    s.inlet.profile = InletProfile::parabolic;
+    add("constant parabola", s);
+    s = unbreakable("paper_tc4");
+    add("sine, 40,296 particles", s);
+}
+
 } // namespace
 
 std::vector<Check> nature_artery_checks()
@@ -135,7 +177,9 @@ std::vector<Check> nature_artery_checks()
             nature_check("gauge_shift", "the level of the pressure changes nothing in the flow",
                          {"the same flow at another level"}, gauge_shift, true),
             nature_check("impact_resolution", "the impact of the blood doesn't depend on the particles' size",
-                         {"the same flow of smaller particles"}, impact_resolution)};
+                         {"the same flow of smaller particles"}, impact_resolution),
+            nature_check("fastest_inlet", "the fastest inlet that a step allows leaves the density as it is",
+                         {"rho_0"}, fastest_inlet)};
 }
 
 } // namespace aneurysm::checks

@@ -14,6 +14,9 @@ namespace aneurysm::checks
 namespace
 {
 
+/// The particles' starts that are looked at: what one of them meets may be luck.
+constexpr int seeds = 4;
+
 /// paper_tc1 with a wall that stays as it is.
 Scenario rigid_artery()
 {
@@ -27,6 +30,12 @@ struct Delivery {
     double found = 0;
     double prescribed = 0;
 
+    Delivery& operator+=(const Delivery& other)
+    {
+        found += other.found;
+        prescribed += other.prescribed;
+        return *this;
+    }
     double error() const { return std::abs(found / prescribed - 1); }
 };
 
@@ -45,51 +54,67 @@ double core_density(const Scenario& s, const Particles& p)
     return mass / (s.fluid.density_kg_m3 * std::numbers::pi * r_0 * r_0 / 4 * length / 2);
 }
 
-/// The second cycle: in the first the particles find their places.
-void deliver(Probe& probe, const std::string& name, const Scenario& s, std::optional<KnownLimit> known = {})
-{
-    const auto flow = probe.simulate(s);
-    const double m = flow->state().particles.mass;
-    const double area = std::numbers::pi * s.vessel.radius_m * s.vessel.radius_m;
-    const double per_way = s.fluid.density_kg_m3 * area / m; // particles in a meter
+/// What comes and goes in the second cycle; in the first the particles find their places.
+struct Cycle {
     Delivery in;
     Delivery back;
-    double core = 0;
+    double core = 0; ///< mean core_density()
+};
+Cycle second_cycle(const Probe& probe, const Scenario& s)
+{
+    const auto flow = probe.simulate(s);
+    const double area = std::numbers::pi * s.vessel.radius_m * s.vessel.radius_m;
+    const double per_way =
+        s.fluid.density_kg_m3 * area / flow->state().particles.mass; // particles in a meter
+    Cycle found;
     std::int64_t last = 0;
     const auto cycle = std::llround(s.inlet.cycle_s / s.time.frame_s);
     for (std::int64_t n = 0; n < 2 * cycle; ++n) {
         const FrameRecord r = flow->advance();
         const std::int64_t net = r.ledger.inlet_in - r.ledger.inlet_out;
-        if (n < cycle) {
-            last = net;
-            continue;
+        if (n >= cycle) {
+            Delivery& d = r.inlet_velocity >= 0 ? found.in : found.back;
+            d.found += static_cast<double>(net - last);
+            d.prescribed += per_way * r.inlet_velocity * s.time.frame_s;
+            found.core += core_density(s, flow->state().particles) / static_cast<double>(cycle);
         }
-        Delivery& d = r.inlet_velocity >= 0 ? in : back;
-        d.found += static_cast<double>(net - last);
-        d.prescribed += per_way * r.inlet_velocity * s.time.frame_s;
         last = net;
-        core += core_density(s, flow->state().particles) / static_cast<double>(cycle);
     }
-    probe.note("mass in the core of the parent over rho_0 and its volume, mean of the cycle, " + name, core);
+    return found;
+}
+
+/// Of all seeds together: that of a single one scatters by a fifth.
+void deliver(Probe& probe, const std::string& name, Scenario s, std::optional<KnownLimit> known = {})
+{
+    Cycle all;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        s.particles.seed = seed;
+        const Cycle found = second_cycle(probe, s);
+        all.in += found.in;
+        all.back += found.back;
+        all.core += found.core / seeds;
+    }
+    probe.note("mass in the core of the parent over rho_0 and its volume, mean of the cycle, " + name,
+               all.core);
     const std::string what = "flux delivered in a cycle, " + name;
-    probe.accuracy({what + ": relative error", in.error(), 0.01, std::move(known)});
+    probe.accuracy({what + ": relative error", all.in.error(), 0.01, std::move(known)});
     if (s.inlet.waveform == Waveform::sine) {
-        probe.accuracy({what + ", backwards: relative error", back.error(), 0.01, measured(0.0436)});
+        probe.accuracy({what + ", backwards: relative error", all.back.error(), 0.01, measured(0.0469)});
     }
 }
 
 void delivered_flux(Probe& probe)
 {
     Scenario s = rigid_artery();
-    deliver(probe, "sine", s, measured(0.0158));
+    deliver(probe, "sine", s, measured(0.0202));
     s.inlet.waveform = Waveform::rectified_sine;
-    deliver(probe, "|sine|", s, measured(0.0205));
+    deliver(probe, "|sine|", s, measured(0.0197));
     s.inlet.waveform = Waveform::constant;
-    deliver(probe, "constant", s, measured(0.0211));
+    deliver(probe, "constant", s, measured(0.0222));
     s.inlet.waveform = Waveform::table; // a steep rise and a slow fall
     s.inlet.table_time_s = {0, 0.1, 0.2, 0.4};
     s.inlet.table_velocity_m_s = {2, 2, 9, 4};
-    deliver(probe, "table", s, measured(0.0221));
+    deliver(probe, "table", s, measured(0.0223));
 }
 
 /// Largest errors of the density, of either sign.
@@ -104,13 +129,10 @@ struct DensityErrors {
     }
 };
 
-void densities(Probe& probe)
+void add_densities(const Probe& probe, const Scenario& s, DensityErrors& ends, DensityErrors& inside)
 {
-    const Scenario s = rigid_artery();
     const Vessel vessel(s, s.vessel.radius_m / std::cbrt(2.0));
     const auto flow = probe.simulate(s);
-    DensityErrors ends;
-    DensityErrors inside;
     for (std::int64_t n = 0; n < s.time.frames; ++n) {
         const Particles before = flow->state().particles;
         flow->advance();
@@ -124,9 +146,19 @@ void densities(Probe& probe)
             }
         }
     }
+}
+
+void densities(Probe& probe)
+{
+    Scenario s = rigid_artery();
+    DensityErrors ends;
+    DensityErrors inside;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        s.particles.seed = seed;
+        add_densities(probe, s, ends, inside);
+    }
     probe.accuracy({"density within half a radius of an end: largest excess", ends.excess, 0.05});
-    probe.accuracy(
-        {"density within half a radius of an end: deepest hole", ends.hole, 0.05, measured(0.146)});
+    probe.accuracy({"density within half a radius of an end: deepest hole", ends.hole, 0.05});
     probe.accuracy({"density elsewhere: largest excess", inside.excess, 0.01, measured(0.0139)});
     probe.accuracy({"density elsewhere: deepest hole", inside.hole, 0.01, measured(0.0198)});
 }

@@ -101,7 +101,6 @@ void by_solve(Probe& probe)
     s.pressure.max_iterations = s.pressure.correction_max_iterations = 1;
     const double dt = s.time.frame_s;
     const double rho_0 = s.fluid.density_kg_m3;
-    const double dx = s.domain.spacing_m;
     const double level = s.outlet.level_margin * rho_0 * std::pow(s.inlet.peak_velocity_m_s, 2);
     SimulationState before = duct::disturbed(probe, s, -0.25);
     Particles& p = before.particles;
@@ -125,11 +124,7 @@ void by_solve(Probe& probe)
     const Shifts shifts = shifts_of(s, cloud, p.kind);
     const auto way = shifts.and_ways(ways_of(after, dt));
     const auto lowest = [&](std::size_t i) {
-        const double y = p.position[i].y;
-        const bool is_far =
-            (p.kind[i] == Kind::inlet && y < -dx) ||
-            (p.kind[i] == Kind::outlet_1 && y > static_cast<double>(s.domain.cells_y + 1) * dx);
-        return is_far ? 0 : lowest_kappa(cloud.density[i], rho_0);
+        return duct::is_far(s, p, i) ? 0 : lowest_kappa(cloud.density[i], rho_0);
     };
     auto at_rest = after;
     at_rest.given = analytic::Given::at_rest;
@@ -147,7 +142,7 @@ void by_solve(Probe& probe)
         const std::string where = "particle " + std::to_string(i);
         if (cloud.free[i]) {
             const auto drift = analytic::pair_mean(cloud, p.drift, i);
-            const auto missing = duct::missing_density(s, p.kind[i], cloud, i);
+            const auto missing = duct::missing_density(s, p, cloud, i);
             const analytic::Estimate source{(drift.value + missing.value) / dt,
                                             (drift.error + missing.error) / dt};
             const auto expected = of_pressure.potential(i, source, level - s.outlet.pressure_pa);

@@ -99,10 +99,19 @@ analytic::VectorEstimate force_at_outlet(const Scenario& s, const SimulationStat
     return force;
 }
 
-analytic::Estimate missing_density(const Scenario& s, Kind kind, const analytic::Cloud& cloud, std::size_t i)
+bool is_far(const Scenario& s, const Particles& p, std::size_t i)
+{
+    const double dx = s.domain.spacing_m;
+    const double y = p.position[i].y;
+    return (p.kind[i] == Kind::inlet && y < -dx) ||
+           (p.kind[i] == Kind::outlet_1 && y > static_cast<double>(s.domain.cells_y + 1) * dx);
+}
+
+analytic::Estimate missing_density(const Scenario& s, const Particles& p, const analytic::Cloud& cloud,
+                                   std::size_t i)
 {
     const double rho_0 = s.fluid.density_kg_m3;
-    if (kind != Kind::fluid || cloud.density[i] >= guards::void_density * rho_0) {
+    if (is_far(s, p, i) || cloud.density[i] >= guards::void_density * rho_0) {
         return {};
     }
     return {analytic::pair_density(cloud, i).value - rho_0, rounding(64) * rho_0};

@@ -39,8 +39,12 @@ Buffer outlet_buffer(const Particles& p);
 analytic::VectorEstimate force_at_outlet(const Scenario& s, const SimulationState& before,
                                          const analytic::Cloud& cloud, double p, std::size_t i);
 
-/// What is missing of rho_0 beside a void, which the pressure lets the density make up for [kg/m^3].
-analytic::Estimate missing_density(const Scenario& s, Kind kind, const analytic::Cloud& cloud, std::size_t i);
+/// Whether blood is in the two far layers of its buffer.
+bool is_far(const Scenario& s, const Particles& p, std::size_t i);
+
+/// What is missing of rho_0 beside a void, but in the far layers, which the pressure lets the density make up for [kg/m^3].
+analytic::Estimate missing_density(const Scenario& s, const Particles& p, const analytic::Cloud& cloud,
+                                   std::size_t i);
 
 /// A step's velocities before the pressure acts on them, without viscosity, as the velocities of `cloud`.
 /// \return how far the subject's may be from them [m/s]

@@ -112,7 +112,7 @@ public:
     }
     analytic::Estimate residual(const OneIteration& solve, std::size_t i) const
     {
-        const auto missing = duct::missing_density(scene_.s, scene_.before.particles.kind[i], cloud_, i);
+        const auto missing = duct::missing_density(scene_.s, scene_.before.particles, cloud_, i);
         return solve.residual(i, {missing.value / dt_, missing.error / dt_});
     }
     /// dt rho_0^2 sum_i (sum_j |m_j grad W_ij| / rho_0^2)^2, by Cauchy and Schwarz over at most 64 neighbors: more than any
