@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 #include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
@@ -65,15 +66,18 @@ double Progress::per_second(std::int64_t done) const
 
 std::string Progress::line(std::int64_t done, std::string_view remark) const
 {
-    const double rate = per_second(done);
-    const auto left = rate > 0 ? static_cast<long>(static_cast<double>(all_ - done) / rate) : 0;
-    std::array<char, 256> text{};
-    std::snprintf(text.data(), text.size(),
-                  "%s %lld of %lld (%lld %%), %.1f %ss/s, %ld:%02ld:%02ld left, %.*s", unit_.c_str(),
+    std::array<char, 128> part{};
+    std::snprintf(part.data(), part.size(), "%s %lld of %lld (%lld %%), ", unit_.c_str(),
                   static_cast<long long>(done), static_cast<long long>(all_),
-                  static_cast<long long>(all_ > 0 ? 100 * done / all_ : 100), rate, unit_.c_str(),
-                  left / 3600, left / 60 % 60, left % 60, static_cast<int>(remark.size()), remark.data());
-    return text.data();
+                  static_cast<long long>(all_ > 0 ? 100 * done / all_ : 100));
+    std::string text = part.data();
+    if (const double rate = per_second(done); rate > 0) { // else the time that is left isn't known
+        const auto left = static_cast<long>(static_cast<double>(all_ - done) / rate);
+        std::snprintf(part.data(), part.size(), "%.1f %ss/s, %ld:%02ld:%02ld left, ", rate, unit_.c_str(),
+                      left / 3600, left / 60 % 60, left % 60);
+        text += part.data();
+    }
+    return text.append(remark);
 }
 
 void Progress::show(std::int64_t done, std::string_view remark)

